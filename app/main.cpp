@@ -1,0 +1,48 @@
+// couloir: the command line. Verbs live in files of their own; only this one sets exit codes.
+//
+//   0 done   1 a check failed   2 the user's input is wrong   3 the run failed (its state is saved and named)   4 an engine failed
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/verbs.hpp"
+#include "continuum/errors.hpp"
+#include "coupling/engine/engine_error.hpp"
+#include "coupling/records/record_error.hpp"
+#include "coupling/scene/scene_error.hpp"
+
+namespace {
+
+int fail(int code, const char* kind, const std::exception& error) {
+  std::fprintf(stderr, "couloir: %s: %s\n", kind, error.what());
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace couloir;
+  CLI::App app{"Granular avalanches that hit obstacles: a depth-averaged flow coupled to discrete grains.", "couloir"};
+  app.require_subcommand(1);
+  app.footer("couloir test   builds and runs all tests (of the front door, see ./couloir)");
+  int exit_code = 0;
+  add_plan(app, exit_code);
+  add_run(app, exit_code);
+  add_report(app, exit_code);
+  try {
+    app.parse(argc, argv);
+    return exit_code;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const SceneError& error) {
+    return fail(2, "error in the input", error);
+  } catch (const EngineError& error) {
+    return fail(4, "the grain engine failed", error);
+  } catch (const NumericsError& error) {
+    return fail(3, "the run failed", error);
+  } catch (const RecordError& error) {
+    return fail(3, "the run failed", error);
+  } catch (const std::exception& error) {
+    return fail(3, "internal error", error);
+  }
+}

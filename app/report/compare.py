@@ -1,0 +1,64 @@
+"""Pictures of several runs side by side."""
+
+import numpy as np
+
+import style
+from figures import deepest, draw_depth, extent
+from read import running_mean
+from style import plt
+
+
+def forces(runs, labels, path):
+    """The 15 ms means of all runs, one panel an obstacle that at least one of them has."""
+    names = list(dict.fromkeys(name for run in runs for name in run.forces if len(run.time)))
+    if not names:
+        return None
+    figure, axes = plt.subplots(len(names), 1, figsize=(style.WIDTH, 3.8 * len(names)), sharex=True, squeeze=False, layout="constrained")
+    for a, name in zip(axes.flat, names):
+        for k, (run, label) in enumerate(zip(runs, labels)):
+            if name not in run.forces or not len(run.time):
+                continue
+            f = run.forces[name]
+            mean = running_mean(f["time"], run.windows["length"], f["fx"])
+            colour = style.SERIES[k % len(style.SERIES)]
+            a.plot(f["time"], f["fx"], color=colour, linewidth=0.6, alpha=0.3)
+            a.plot(f["time"], mean, color=colour, linestyle=style.DASHES[k % len(style.DASHES)], linewidth=2, label=label)
+            top = int(np.argmax(np.abs(mean)))
+            a.plot(f["time"][top], mean[top], "o", color=colour, markersize=6)
+        a.axhline(0, color=style.GREY, linewidth=0.8)
+        a.set_title(f"Force on {name}, along the slope: means of 15 ms, peaks marked, window means faint")
+        a.set_ylabel("force [N]")
+        a.legend(loc="best")
+        a.set_xlim(left=0)
+    axes.flat[-1].set_xlabel("time [s]")
+    return style.save(figure, path)
+
+
+def common_instants(runs, count):
+    """For each of `count` times that all runs reach, the nearest frame of each run."""
+    last = min(run.frames[-1].time for run in runs)
+    first = max(run.frames[0].time for run in runs)
+    wanted = np.linspace(first, last, count + 1)[1:]
+    return [[min(run.frames, key=lambda frame: abs(frame.time - t)) for run in runs] for t in wanted]
+
+
+def depth(runs, labels, path, count=4):
+    """Depth from above: a column a run, a row an instant, one scale for all."""
+    runs_with = [(run, label) for run, label in zip(runs, labels) if run.frames and (run.has_flow or run.has_grains)]
+    if not runs_with:
+        return None
+    runs, labels = zip(*runs_with)
+    rows = common_instants(runs, count)
+    boxes = np.array([extent(run, [row[k] for row in rows]) for k, run in enumerate(runs)])
+    box = boxes[:, 0].min(), boxes[:, 1].max(), boxes[:, 2].min(), boxes[:, 3].max()
+    top = max(deepest(run) for run in runs)
+    ratio = (box[3] - box[2]) / (box[1] - box[0])
+    figure, axes = style.map_grid(len(rows), len(runs), ratio, width=max(style.WIDTH, 3.2 * len(runs)), title_lines=2)
+    for j, row in enumerate(rows):
+        for k, (run, frame) in enumerate(zip(runs, row)):
+            image = draw_depth(axes[j, k], run, frame, top, box)
+            axes[j, k].set_title(f"{labels[k]}\nt = {frame.time:.3f} s" if j == 0 else f"t = {frame.time:.3f} s")
+    for a in axes[:, 0]:
+        a.set_ylabel("y [mm]")
+    style.colour_bar(figure, axes, image, "depth along the normal [mm]")
+    return style.save(figure, path)

@@ -1,0 +1,192 @@
+"""The pictures of one run. Each function saves one PNG and returns its path, or None where the run has nothing to show."""
+
+from functools import cache
+
+import numpy as np
+from matplotlib.collections import EllipseCollection
+from matplotlib.patches import Rectangle
+
+import style
+from read import pick, running_mean
+from style import plt
+
+MM = 1e3
+
+
+@cache
+def wet_depth(run):
+    """[m] above which a cell counts as flow in the pictures."""
+    return max(1e-5, 0.25 * run.diameter if not run.has_flow else 0, 0.01 * deepest(run))
+
+
+@cache
+def deepest(run, share=99.8):
+    """[m] a robust largest depth, so that one splash does not take the colours from all the rest."""
+    depths = [run.depth(frame)[2] for frame in pick(run.frames, 12)]
+    wet = np.concatenate([h[h > 1e-5] for h in depths])
+    return float(np.percentile(wet, share)) if wet.size else 1e-3
+
+
+def extent(run, frames):
+    """(x from, to, y from, to) [m] that holds the flow of these frames and the obstacles, with a margin."""
+    wet = wet_depth(run)
+    x, y, h = run.depth(frames[0])
+    shape = np.any([run.depth(frame)[2] > wet for frame in frames], axis=0)
+    columns, rows = np.flatnonzero(shape.any(axis=0)), np.flatnonzero(shape.any(axis=1))
+    xs = [x[columns[0]], x[columns[-1]]] if columns.size else [x[0], x[-1]]
+    ys = [y[rows[0]], y[rows[-1]]] if rows.size else [y[0], y[-1]]
+    for o in run.obstacles.values():
+        xs += [o["x"], o["x"] + o["length"]]
+        ys += [o["y"] - o["width"] / 2, o["y"] + o["width"] / 2]
+    margin = 0.04 * (max(xs) - min(xs)) + 0.01
+    return (max(x[0], min(xs) - margin), min(x[-1], max(xs) + margin), max(y[0], min(ys) - margin), min(y[-1], max(ys) + margin))
+
+
+def draw_obstacles_from_above(axes, run):
+    for o in run.obstacles.values():
+        axes.add_patch(Rectangle((o["x"] * MM, (o["y"] - o["width"] / 2) * MM), o["length"] * MM, o["width"] * MM,
+                                 facecolor="#FFFFFF", edgecolor=style.INK, linewidth=1.3, hatch="/////", zorder=4))
+
+
+def draw_depth(axes, run, frame, top, box):
+    """Depth from above with the outline of the flow, of the obstacles and of the zone; returns the image."""
+    x, y, h = run.depth(frame)
+    dx, dy = x[1] - x[0], (y[1] - y[0]) if len(y) > 1 else x[1] - x[0]
+    wet = wet_depth(run)
+    image = axes.imshow(np.ma.masked_less(h, wet) * MM, origin="lower", cmap=style.DEPTH, vmin=0, vmax=top * MM, aspect="equal",
+                        extent=[(x[0] - dx / 2) * MM, (x[-1] + dx / 2) * MM, (y[0] - dy / 2) * MM, (y[-1] + dy / 2) * MM],
+                        interpolation="nearest")
+    if np.any(h > wet) and min(h.shape) > 1:
+        axes.contour(x * MM, y * MM, h, levels=[wet], colors=[style.INK], linewidths=0.8)
+    if frame.zone is not None:
+        a, b, c, d = frame.zone * MM
+        axes.add_patch(Rectangle((a, c), b - a, d - c, fill=False, edgecolor=style.RED, linewidth=1.4, linestyle="--", zorder=5))
+    draw_obstacles_from_above(axes, run)
+    style.plain_map(axes)
+    axes.set_xlim(box[0] * MM, box[1] * MM)
+    axes.set_ylim(box[2] * MM, box[3] * MM)
+    return image
+
+
+def panels(count, box):
+    """A figure with `count` maps of the box's proportions: in three columns where they are tall, in one where they are wide."""
+    ratio = max(box[3] - box[2], 0.06 * (box[1] - box[0])) / (box[1] - box[0])
+    columns = 1 if ratio < 0.15 else 2 if ratio < 0.8 else 3
+    figure, axes = style.map_grid(-(-count // columns), columns, ratio)
+    for spare in axes.flat[count:]:
+        spare.set_visible(False)
+    for a in axes[:, 0]:
+        a.set_ylabel("y [mm]")
+    return figure, axes
+
+
+def top_view(run, path, count=6):
+    if not run.frames or not (run.has_flow or run.has_grains):
+        return None
+    frames = pick(run.frames, count)
+    box, top = extent(run, frames), deepest(run)
+    figure, axes = panels(len(frames), box)
+    for a, frame in zip(axes.flat, frames):
+        image = draw_depth(a, run, frame, top, box)
+        a.set_title(f"t = {frame.time:.3f} s")
+    style.colour_bar(figure, axes, image, "depth along the normal [mm]")
+    return style.save(figure, path)
+
+
+def side_box(run, frames):
+    """Middle y and (x from, to, top) [m] of the side view: about the first obstacle, or the whole flow."""
+    box = extent(run, frames)
+    top = 1.3 * deepest(run, 100)
+    if not run.obstacles:
+        return 0.0, box[0], box[1], top
+    o = next(iter(run.obstacles.values()))
+    top = max(top, 1.5 * o["height"])
+    zone = next((f.zone for f in reversed(frames) if f.zone is not None), None)
+    if zone is not None:
+        margin = 0.15 * (zone[1] - zone[0])
+        return o["y"], zone[0] - margin, zone[1] + margin, top
+    reach = 5 * max(o["height"], o["length"])
+    return o["y"], max(box[0], o["x"] - reach), min(box[1], o["x"] + o["length"] + 0.6 * reach), top
+
+
+def draw_side(axes, run, frame, middle, fastest):
+    grains = frame.grains()
+    dots = None
+    if run.has_flow:
+        x, y, bed = run.grid
+        row = int(np.argmin(np.abs(y - middle)))
+        h, base = frame.flow("h")[row], bed[row]
+        axes.fill_between(x * MM, base * MM, (base + h) * MM, where=h > 1e-5, color="#DCE6EE", linewidth=0, step="mid", zorder=1)
+        line = np.where(h > 1e-5, base + h, np.nan)
+        axes.plot(x * MM, line * MM, color=style.BLUE, linewidth=1.6, zorder=4, label="surface of the flow")
+    if grains is not None:
+        near = np.abs(grains["y"] - middle) < 2 * (run.diameter or 0.005)
+        order = np.flatnonzero(near)[np.argsort(-np.abs(grains["y"][near] - middle))]
+        size = 2 * grains["radius"][order] * MM
+        dots = EllipseCollection(size, size, np.zeros(len(order)), units="x", transOffset=axes.transData, cmap=style.SPEED,
+                                 offsets=np.column_stack([grains["s"][order], grains["n"][order]]) * MM,
+                                 edgecolors="#20303A", linewidths=0.25, zorder=2)
+        dots.set_array(grains["speed"][order])
+        dots.set_clim(0, fastest)
+        axes.add_collection(dots)
+    for o in run.obstacles.values():
+        if abs(o["y"] - middle) <= o["width"] / 2:
+            axes.add_patch(Rectangle((o["x"] * MM, 0), o["length"] * MM, o["height"] * MM, facecolor="#C9CDD1", edgecolor=style.INK,
+                                     linewidth=1.2, hatch="////", zorder=3))
+    axes.axhline(0, color=style.INK, linewidth=1.4, zorder=3)
+    return dots
+
+
+def side_view(run, path, count=4):
+    if not run.frames or not (run.has_flow or run.has_grains):
+        return None
+    contact = min((run.figure(("obstacles", name, "first_contact")) or np.inf for name in run.obstacles), default=np.inf)
+    late = [f for f in run.frames if f.time >= contact - 0.02]
+    frames = pick(late if len(late) >= count else run.frames, count)
+    middle, x0, x1, top = side_box(run, frames)
+    ratio = 1.08 * top / (x1 - x0)
+    columns = 2 if ratio > 0.25 else 1
+    figure, axes = style.map_grid(-(-len(frames) // columns), columns, ratio)
+    speeds = [g["speed"][np.abs(g["y"] - middle) < 0.05] for g in (f.grains() for f in frames) if g is not None]
+    speeds = np.concatenate(speeds) if speeds else np.array([])
+    fastest = max(float(np.percentile(speeds, 99.5)), 1e-3) if speeds.size else 1
+    dots = None
+    for a, frame in zip(axes.flat, frames):
+        dots = draw_side(a, run, frame, middle, fastest) or dots
+        style.plain_map(a)
+        a.set_xlim(x0 * MM, x1 * MM)
+        a.set_ylim(-0.06 * top * MM, 1.02 * top * MM)
+        a.set_title(f"t = {frame.time:.3f} s")
+    for spare in axes.flat[len(frames):]:
+        spare.set_visible(False)
+    for a in axes[:, 0]:
+        a.set_ylabel("height [mm]")
+    if dots is not None:
+        style.colour_bar(figure, axes, dots, "speed of the grains [m/s]")
+    return style.save(figure, path)
+
+
+def forces(run, path):
+    """Raw window means, their 15 ms mean, the peak."""
+    if not run.forces or not len(run.time):
+        return None
+    figure, axes = plt.subplots(len(run.forces), 1, figsize=(style.WIDTH, 3.4 * len(run.forces)), sharex=True, squeeze=False,
+                                layout="constrained")
+    for a, (name, f) in zip(axes.flat, run.forces.items()):
+        mean = running_mean(f["time"], run.windows["length"], f["fx"])
+        a.plot(f["time"], f["fx"], color=style.SKY, linewidth=0.8, label="mean of a window")
+        a.plot(f["time"], mean, color=style.BLUE, linewidth=2.2, label="mean of 15 ms")
+        k = int(np.argmax(np.abs(mean)))
+        if mean[k] != 0:
+            a.plot(f["time"][k], mean[k], "o", color=style.RED, markersize=7, zorder=5)
+            left = f["time"][k] < 0.6 * f["time"][-1]
+            a.annotate(f"peak {mean[k]:.3g} N at {f['time'][k]:.3f} s", (f["time"][k], mean[k]), textcoords="offset points",
+                       xytext=(10 if left else -10, 4), ha="left" if left else "right", color=style.RED, fontweight="bold")
+        a.axhline(0, color=style.GREY, linewidth=0.8)
+        a.set_title(f"Force on {name}, along the slope")
+        a.set_ylabel("force [N]")
+        a.set_xlim(f["time"][0] - run.windows["length"][0], f["time"][-1])
+        a.margins(y=0.12)
+        a.legend(loc="upper right" if not np.any(mean[-len(mean) // 3:] > 0.8 * np.max(np.abs(mean))) else "upper left")
+    axes.flat[-1].set_xlabel("time [s]")
+    return style.save(figure, path)

@@ -1,0 +1,103 @@
+"""index.html: the verdict first, then figures, effects, events and pictures. One file, nothing from elsewhere."""
+
+import base64
+from html import escape
+
+CSS = """
+:root{--ink:#22272b;--soft:#5b636a;--line:#dfe3e6;--paper:#fff;--tint:#f5f7f8;--accent:#0072b2;--good:#00724f;--bad:#b34700}
+*{box-sizing:border-box}
+body{margin:0 auto;padding:1.5rem 1.1rem 4rem;max-width:64rem;background:var(--paper);color:var(--ink);
+ font:1rem/1.55 system-ui,-apple-system,"Segoe UI",Roboto,"Noto Sans","DejaVu Sans",sans-serif}
+h1{font-size:1.75rem;line-height:1.2;margin:.2rem 0 .3rem;letter-spacing:-.01em}
+h2{font-size:1.2rem;margin:2.4rem 0 .6rem;padding-top:.9rem;border-top:1px solid var(--line)}
+.about{color:var(--soft);margin:0 0 1.2rem}
+.verdict{border-left:5px solid var(--good);background:var(--tint);padding:.8rem 1rem;margin:0 0 1.2rem;font-size:1.06rem}
+.verdict.bad{border-color:var(--bad)}
+.verdict b{white-space:nowrap}
+.cards{display:grid;grid-template-columns:repeat(auto-fit,minmax(9.5rem,1fr));gap:.7rem;margin:0 0 1rem}
+.card{border:1px solid var(--line);border-radius:.4rem;padding:.6rem .8rem}
+.card strong{display:block;font-size:1.4rem;line-height:1.25;font-variant-numeric:tabular-nums}
+.card span{color:var(--soft);font-size:.86rem}
+.scroll{overflow-x:auto;-webkit-overflow-scrolling:touch}
+table{border-collapse:collapse;width:100%;font-size:.94rem}
+th,td{text-align:left;padding:.36rem .8rem .36rem 0;border-bottom:1px solid var(--line);vertical-align:top}
+thead th{color:var(--soft);font-weight:600;border-bottom:2px solid var(--line)}
+tbody th{font-weight:400}
+tr.group th{font-weight:700;padding-top:1rem}
+td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+td.u{color:var(--soft);white-space:nowrap}
+.on{color:var(--good);font-weight:600}.off{color:var(--soft)}
+figure{margin:0 0 1.4rem}
+figure img{display:block;width:100%;height:auto}
+figcaption{color:var(--soft);font-size:.9rem;margin-top:.3rem}
+@media (max-width:40rem){figure img{width:46rem;max-width:none}body{padding:1rem .8rem 3rem}h1{font-size:1.4rem}}
+@media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}figure,tr,.card{break-inside:avoid}.scroll{overflow:visible}}
+"""
+
+
+def number(value, digits=4):
+    """A number as people write it; an en dash for what there is not."""
+    if value is None:
+        return "–"
+    if isinstance(value, int) or float(value).is_integer() and abs(value) < 1e7:
+        return f"{int(value):,}".replace(",", "\u202f")
+    size = abs(value)
+    if size >= 1e6 or size < 1e-3:
+        mantissa, exponent = f"{value:.{min(digits, 3) - 1}e}".split("e")
+        return f"{mantissa}\u2009·\u200910<sup>{int(exponent)}</sup>".replace("-", "\u2212")
+    if size >= 10**digits:
+        return f"{value:,.0f}".replace(",", "\u202f")
+    return f"{value:.{digits}g}".replace("-", "\u2212")
+
+
+def picture(path, caption):
+    if path is None:
+        return ""
+    data = base64.b64encode(path.read_bytes()).decode()
+    return (f'<figure><div class="scroll"><img alt="{escape(caption)}" src="data:image/png;base64,{data}"></div>'
+            f"<figcaption>{escape(caption)}</figcaption></figure>\n")
+
+
+def cards(entries):
+    """entries: (value, unit, what)."""
+    body = "".join(f'<div class="card"><strong>{number(v, 3)}{" " + escape(u) if u else ""}</strong><span>{escape(what)}</span></div>'
+                   for v, u, what in entries if v is not None)
+    return f'<div class="cards">{body}</div>\n'
+
+
+def figures_table(columns, groups):
+    """columns: headings of the numbers; groups: (title, [(what, unit, [value a column])]). A text value is shown as it is."""
+    head = "".join(f'<th class="n">{escape(c)}</th>' for c in columns)
+    rows = []
+    for title, entries in groups:
+        entries = [e for e in entries if any(v is not None for v in e[2])]
+        if not entries:
+            continue
+        rows.append(f'<tr class="group"><th colspan="{len(columns) + 2}">{escape(title)}</th></tr>')
+        for what, unit, values in entries:
+            cells = "".join(f'<td class="n">{escape(v) if isinstance(v, str) else number(v)}</td>' for v in values)
+            rows.append(f'<tr><th>{escape(what)}</th>{cells}<td class="u">{escape(unit)}</td></tr>')
+    return (f'<div class="scroll"><table><thead><tr><th></th>{head}<th>unit</th></tr></thead>'
+            f'<tbody>{"".join(rows)}</tbody></table></div>\n')
+
+
+def effects_table(effects):
+    rows = "".join(f'<tr><th>{escape(e["name"])}</th><td class="{"on" if e["on"] else "off"}">{"on" if e["on"] else "off"}</td>'
+                   f'<td>{escape(e["reason"])}</td></tr>' for e in sorted(effects, key=lambda e: not e["on"]))
+    return f'<div class="scroll"><table><thead><tr><th>effect</th><th></th><th>why</th></tr></thead><tbody>{rows}</tbody></table></div>\n'
+
+
+def events_table(events):
+    rows = "".join(f'<tr><td class="n">{time:.3f} s</td><td>{escape(text)}</td></tr>' for time, text in events)
+    return f'<div class="scroll"><table><tbody>{rows}</tbody></table></div>\n'
+
+
+def section(title, body):
+    return f"<h2>{escape(title)}</h2>\n{body}" if body else ""
+
+
+def page(title, about, verdict, good, body):
+    """`verdict` is HTML; the rest of the texts are escaped."""
+    return (f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
+            f"<title>{escape(title)}</title><style>{CSS}</style></head><body>\n<h1>{escape(title)}</h1>\n"
+            f'<p class="about">{escape(about)}</p>\n<p class="verdict{"" if good else " bad"}">{verdict}</p>\n{body}</body></html>\n')

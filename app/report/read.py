@@ -1,0 +1,182 @@
+"""A run's folder as plain arrays: records.h5 and summary.json."""
+
+import json
+from functools import cached_property
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+MODES = ("grains", "coupled", "continuum")  # from the most to the least accurate
+
+
+class NoRun(Exception):
+    """The folder holds no readable record; the text says which and what to do."""
+
+
+class Frame:
+    """One stored instant. Arrays are read when asked for; absent ones are None."""
+
+    def __init__(self, run, group):
+        self.run, self.group = run, group
+        self.time = float(group["time"][()])
+
+    def flow(self, name="h"):
+        return self.group[name][()] if name in self.group else None
+
+    @property
+    def zone(self):
+        """(x from, x to, y from, y to) [m] that the grains hold, or None."""
+        return self.group["zone"][()] if "zone" in self.group else None
+
+    def grains(self):
+        """dict of s, y, n (along, across, above the surface) [m], radius [m], speed [m/s], driven; or None."""
+        if "grains" not in self.group or self.group["grains/id"].size == 0:
+            return None
+        g = self.group["grains"]
+        s, n = self.run.surface_coordinates(g["position"][()])
+        speed = np.sqrt(g["vx"][()] ** 2 + g["vy"][()] ** 2 + g["vz"][()] ** 2)
+        return {"s": s, "y": g["y"][()], "n": n, "radius": g["radius"][()], "speed": speed, "driven": g["driven"][()]}
+
+
+class Run:
+    def __init__(self, path):
+        self.path = Path(path)
+        try:
+            self.file = h5py.File(self.path / "records.h5", "r")
+        except FileNotFoundError:
+            raise NoRun(f"{path} holds no records.h5, so it is not the folder of a run")
+        except OSError as error:
+            raise NoRun(f"{path}/records.h5 cannot be read: {error}")
+        if not {"windows", "frames", "events"} <= set(self.file):
+            raise NoRun(f"{path}/records.h5 ends before the run began, so there is nothing to show")
+        self.attributes = dict(self.file.attrs)
+        summary = self.path / "summary.json"
+        self.summary = json.loads(summary.read_text()) if summary.exists() else {}
+        self.windows = {name: data[()] for name, data in self.file["windows"].items()}
+        self.time = self.windows["time"]
+        self.frames = [Frame(self, group) for _, group in sorted(self.file["frames"].items())]
+        self.obstacles = {name: dict(group.attrs) for name, group in self.file["obstacles"].items()}
+        self.forces = {name: {key: data[()] for key, data in group.items()} for name, group in self.file["forces"].items()}
+        self._depths = {}
+        self.events = list(zip(self.file["events/time"][()], self.file["events/text"].asstr()[()]))
+
+    @property
+    def name(self):
+        return self.path.resolve().name
+
+    @property
+    def mode(self):
+        return self.attributes["mode"]
+
+    @property
+    def title(self):
+        return self.attributes["title"] or self.name
+
+    @property
+    def status(self):
+        return self.summary.get("status", "unfinished")
+
+    @property
+    def diameter(self):
+        """[m] of the grains; 0 where there are none."""
+        return float(self.attributes["grain_diameter"])
+
+    @property
+    def has_flow(self):
+        return "x" in self.file["grid"]
+
+    @cached_property
+    def has_grains(self):
+        return any("grains" in frame.group and frame.group["grains/id"].size for frame in self.frames)
+
+    @cached_property
+    def grid(self):
+        """x, y [m] of the cells' centres and the bed [m], [y, x]."""
+        return tuple(self.file["grid"][name][()] for name in ("x", "y", "bed"))
+
+    def figure(self, path):
+        """A number of summary.json by its dotted path (obstacles' names may hold dots: use a tuple), or None."""
+        value = self.summary
+        for key in path.split(".") if isinstance(path, str) else path:
+            if not isinstance(value, dict) or key not in value:
+                return None
+            value = value[key]
+        return value
+
+    def surface_coordinates(self, points):
+        """Level-frame points [N, 3] -> arc length s and height n [m]: the foot point by Newton's method on the centre line."""
+        surface = self.file["surface"]
+        x, angle, line = surface["x"][()], surface["angle"][()], surface["line"][()]
+        s = np.interp(points[:, 0], line[:, 0], x)
+        for _ in range(5):
+            zeta = np.interp(s, x, angle)
+            dx = points[:, 0] - np.interp(s, x, line[:, 0])
+            dz = points[:, 2] - np.interp(s, x, line[:, 2])
+            along = dx * np.cos(zeta) - dz * np.sin(zeta)
+            s = s + along  # np.interp holds the end points: beyond them `along` would run away
+            s = np.clip(s, x[0], x[-1])
+        return s, dx * np.sin(zeta) + dz * np.cos(zeta)
+
+    @cached_property
+    def grain_mass_per_volume(self):
+        """[kg/m3] from the ledger and the frame with most grains: the grains' own density."""
+        best = 0.0, 0.0
+        for frame in self.frames:
+            if "grains" not in frame.group or not len(self.time):
+                continue
+            volume = 4 / 3 * np.pi * np.sum(frame.group["grains/radius"][()] ** 3)
+            if volume > best[0]:
+                best = volume, self.windows["mass_grains"][np.argmin(np.abs(self.time - frame.time))]
+        return best[1] / best[0] if best[0] > 0 and best[1] > 0 else 0.0
+
+    def depth(self, frame):
+        """(x, y, h) of a frame [m]: the flow's own cells, or the grains coarse-grained onto cells of two diameters."""
+        if self.has_flow:
+            x, y, _ = self.grid
+            return x, y, frame.flow("h")
+        x, y = self._coarse_cells
+        if frame.time not in self._depths:
+            grains = frame.grains()
+            cell = x[1] - x[0]
+            density = self.grain_mass_per_volume / self.attributes["bulk_density"] if self.grain_mass_per_volume else 1 / 0.58
+            volume = np.zeros((len(y), len(x))) if grains is None else spread(grains, x, y, cell)
+            self._depths[frame.time] = volume * density / cell**2
+        return x, y, self._depths[frame.time]
+
+    @cached_property
+    def _coarse_cells(self):
+        cell = 2 * (self.diameter or 0.005)
+        length, width = self.file["surface/x"][-1], self.attributes["width"]
+        return np.arange(cell / 2, length, cell), np.arange(-width / 2 + cell / 2, width / 2, cell)
+
+
+def spread(grains, x, y, cell):
+    """Volume of the grains by cell [m3]: each grain's volume is shared among the cells that its own width reaches into."""
+    volume = np.zeros((len(y) + 2, len(x) + 2))  # a margin of one cell, cut off below
+    radius = grains["radius"]
+
+    def shares(position, first):
+        low = np.floor((position - radius - first) / cell).astype(int)
+        upper = np.clip((position + radius - first - (low + 1) * cell) / (2 * radius), 0, 1)
+        return (low, 1 - upper), (low + 1, upper)
+
+    for i, part_x in shares(grains["s"], x[0] - cell / 2):
+        for j, part_y in shares(grains["y"], y[0] - cell / 2):
+            np.add.at(volume, (np.clip(j + 1, 0, len(y) + 1), np.clip(i + 1, 0, len(x) + 1)),
+                      4 / 3 * np.pi * radius**3 * part_x * part_y)
+    return volume[1:-1, 1:-1]
+
+
+def running_mean(time, length, force, span=0.015):
+    """Mean over the last `span` seconds at each window's end, exact for a force that is constant in each window."""
+    edges = np.concatenate([[time[0] - length[0]], time])
+    impulse = np.concatenate([[0.0], np.cumsum(force * length)])
+    return (impulse[1:] - np.interp(time - span, edges, impulse)) / span
+
+
+def pick(frames, count):
+    """`count` of the frames, evenly spread over the time, the first and the last among them."""
+    times = np.array([f.time for f in frames])
+    wanted = np.linspace(times[0], times[-1], count)
+    return [frames[k] for k in sorted({int(np.argmin(np.abs(times - t))) for t in wanted})]

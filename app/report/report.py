@@ -1,0 +1,168 @@
+#!/usr/bin/python3
+"""Pictures and tables of one run, or of several side by side.
+
+    report.py RUN [RUN...] [--out DIR]
+
+One run: RUN/report/index.html. Several: report/ beside the first. Exit codes: 0 done, 2 a RUN is no run.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+import budgets
+import compare
+import figures
+from page import cards, effects_table, events_table, figures_table, number, page, picture, section
+from read import MODES, NoRun, Run
+
+# (what, unit, path in summary.json): the rows of the key figures, group by group.
+GROUPS = [
+    ("Mass", [("released", "kg", "mass.initial"), ("entered", "kg", "mass.entered"), ("in the domain at the end", "kg", "mass.final"),
+              ("left the domain", "kg", "mass.left_domain"), ("went over the obstacles", "kg", "mass.overtopped"),
+              ("largest error over the released", "", "mass.relative_error"),
+              ("largest momentum residual over the largest momentum", "", "momentum.relative_residual")]),
+    ("Continuum", [("cells", "", "continuum.cells"), ("steps", "", "continuum.steps"), ("least depth before clipping", "m", "continuum.min_depth"),
+                   ("cell updates a second", "1/s", "continuum.cell_updates_per_second")]),
+    ("Grains", [("inserted", "", "grains.inserted"), ("returned to the continuum", "", "grains.returned"),
+                ("most at one time", "", "grains.peak_count"), ("engine steps", "", "grains.steps"),
+                ("grains times steps a second", "1/s", "grains.particle_steps_per_second"), ("largest overlap over diameter", "", "grains.max_overlap")]),
+    ("Cost", [("simulated", "s", "time.simulated"), ("time waited", "s", "time.wall"), ("processor time", "s", "time.cpu"),
+              ("of it continuum", "s", "time.cpu_continuum"), ("of it engine", "s", "time.cpu_engine"),
+              ("of it coupling", "s", "time.cpu_coupling")]),
+]
+FORCES = [("peak force (mean of 15 ms)", "N", "force_peak"), ("its time", "s", "force_peak_time"),
+          ("peak of a single window", "N", "force_peak_window"), ("mean force since the first contact", "N", "force_mean"),
+          ("force at the end (last 50 ms)", "N", "force_final"), ("impulse", "N s", "impulse"), ("first contact", "s", "first_contact"),
+          ("largest depth on its top", "m", "max_depth_on_top")]
+
+
+def wanted(run, group):
+    """Whether a group of figures says anything about this run."""
+    return not (group == "Continuum" and not run.figure("continuum.cells") or group == "Grains" and not run.figure("grains.peak_count"))
+
+
+def key_figures(runs, names):
+    obstacles = list(dict.fromkeys(name for run in runs for name in run.obstacles))
+    groups = [(f"Force on {o}, along the slope", [(what, unit, [run.figure(("obstacles", o, key)) for run in runs])
+                                                  for what, unit, key in FORCES]) for o in obstacles]
+    for title, rows in GROUPS:
+        shown = [run if wanted(run, title) else None for run in runs]
+        groups.append((title, [(what, unit, [run.figure(path) if run else None for run in shown]) for what, unit, path in rows]))
+    return figures_table(names, groups)
+
+
+def verdict_of(run):
+    """One or two sentences: how it ended, the force, whether the sums close."""
+    s = run.summary
+    if not s:
+        return f"Unfinished: the record ends at {number(float(run.time[-1]) if len(run.time) else 0.0)} s and there is no summary."
+    end = {"done": "Done", "interrupted": "Interrupted", "failed": "Failed"}.get(s["status"], s["status"])
+    text = f"<b>{end}</b>: {number(s['time']['simulated'])} s simulated in {number(s['time']['wall'], 3)} s"
+    text += f" ({s['reason']}). " if s.get("reason") else ". "
+    for name, o in s["obstacles"].items():
+        if o["first_contact"] is None:
+            text += f"The flow did not touch {name}. "
+        else:
+            text += (f"Force on {name}: peak <b>{number(o['force_peak'], 3)} N</b> at {o['force_peak_time']:.3f} s, "
+                     f"impulse <b>{number(o['impulse'], 3)} N s</b>. ")
+    return text + (f"In every window mass closes to {number(s['mass']['relative_error'], 2)} of the released, "
+                   f"momentum to {number(s['momentum']['relative_residual'], 2)} of its largest.")
+
+
+def about(run):
+    a = run.attributes
+    engine = run.figure("engine") or a["engine"]
+    parts = [f"{run.mode} mode", engine, f"run {run.name}", f"couloir {a['couloir_version']} ({a['git_revision']})", a["start_time"]]
+    return " · ".join(str(part) for part in parts if part)
+
+
+def report_one(run, out):
+    obstacle = next(iter(run.obstacles), None)
+    peak, impulse = (run.figure(("obstacles", obstacle, key)) for key in ("force_peak", "impulse"))
+    body = cards([(peak, "N", f"peak force on {obstacle}"), (impulse, "N s", f"impulse on {obstacle}"),
+                  (run.figure("mass.overtopped"), "kg", "went over the obstacles"),
+                  (run.figure("grains.peak_count") or None, "", "grains at most"), (run.figure("time.wall"), "s", "time waited")])
+    body += section("Forces", picture(figures.forces(run, out / "forces.png"),
+                                      "Thin: mean of each coupling window. Thick: running mean of 15 ms, whose peak is quoted."))
+    body += section("From above", picture(figures.top_view(run, out / "top.png"),
+                                          "Depth of the flow with its outline; hatched: obstacles; dashed: the zone that the grains hold."))
+    body += section("From the side", picture(figures.side_view(run, out / "side.png"),
+                                             "Section through the middle of the obstacle: grains within two diameters of it, coloured by "
+                                             "speed; line: surface of the flow. Heights along the normal, not exaggerated."))
+    body += section("Key figures", key_figures([run], ["value"]) if run.summary else "")
+    body += section("Effects", effects_table(run.summary["effects"]) if run.summary.get("effects") else "")
+    body += section("Events", events_table(run.events) if run.events else "")
+    body += section("Mass and momentum", picture(budgets.ledger(run, out / "ledger.png"),
+                                                 "Where the mass is, what changed the momentum, and what is left unexplained."))
+    body += section("Counts", picture(budgets.counts(run, out / "counts.png"), "Numbers and rates against time."))
+    return page(run.title, about(run), verdict_of(run), run.status == "done", body)
+
+
+def ratio_table(runs, names, best):
+    """Forces and cost over those of the most accurate run."""
+    rows = []
+    for name in runs[best].obstacles:
+        for what, _, key in FORCES:
+            if key in ("force_peak", "force_mean", "force_final", "impulse"):
+                rows.append((f"{what} on {name}", ("obstacles", name, key)))
+    rows += [("went over the obstacles", "mass.overtopped"), ("time waited", "time.wall"), ("processor time", "time.cpu")]
+    entries = []
+    for what, path in rows:
+        base = runs[best].figure(path)
+        values = [run.figure(path) for run in runs]
+        entries.append((what, "", [f"{v / base:.2f}" if v is not None and base else None for v in values]))
+    return figures_table(names, [(f"Ratio to {names[best]}", entries)])
+
+
+def report_several(runs, out):
+    modes = [run.mode for run in runs]
+    names = [run.mode if modes.count(run.mode) == 1 else run.name for run in runs]
+    if len(set(names)) < len(names):  # runs of the same name in different folders
+        names = [f"{name} ({k})" for k, name in enumerate(names, 1)]
+    best = min(range(len(runs)), key=lambda k: MODES.index(runs[k].mode))
+    parts = []
+    for k, run in enumerate(runs):
+        if k == best:
+            continue
+        for obstacle in runs[best].obstacles:
+            own, base = (r.figure(("obstacles", obstacle, "force_peak")) for r in (run, runs[best]))
+            if own is not None and base:
+                parts.append(f"<b>{names[k]}</b>: peak on {obstacle} {100 * (own / base - 1):+.0f} %".replace("-", "\u2212"))
+        own, base = run.figure("time.cpu"), runs[best].figure("time.cpu")
+        if own and base:
+            parts.append(f"{number(base / own, 2)} times as fast" if own <= base else f"{number(own / base, 2)} times as slow")
+    ended = [run.status == "done" for run in runs]
+    verdict = f"Against <b>{names[best]}</b>, the most accurate of these runs: " + ", ".join(parts) + "."
+    verdict += "" if all(ended) else " Not all runs are done: " + ", ".join(f"{n}: {r.status}" for n, r in zip(names, runs)) + "."
+    body = section("Forces", picture(compare.forces(runs, names, out / "forces.png"), "The force on each obstacle in all runs."))
+    body += section("Ratios", ratio_table(runs, names, best))
+    body += section("Depth", picture(compare.depth(runs, names, out / "depth.png"), "Depth at the same instants, on one scale."))
+    body += section("Key figures", key_figures(runs, names))
+    title = runs[best].title if len({run.title for run in runs}) == 1 else "Comparison of runs"
+    return page(title, " · ".join(f"{n}: {r.name}" for n, r in zip(names, runs)), verdict, all(ended), body)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("runs", nargs="+", metavar="RUN", help="folder of a run")
+    parser.add_argument("--out", type=Path, help="folder of the report")
+    arguments = parser.parse_args()
+    try:
+        runs = [Run(path) for path in arguments.runs]
+        out = arguments.out or (runs[0].path if len(runs) == 1 else runs[0].path.resolve().parent) / "report"
+        out.mkdir(parents=True, exist_ok=True)
+        html = report_one(runs[0], out) if len(runs) == 1 else report_several(runs, out)
+        (out / "index.html").write_text(html, encoding="utf-8")
+    except NoRun as error:
+        print(error, file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"the report could not be written: {error}", file=sys.stderr)
+        return 2
+    print(out / "index.html")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

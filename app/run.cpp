@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/run_report.hpp"
+#include "app/scene_options.hpp"
+#include "app/verbs.hpp"
+#include "coupling/engine/liggghts_engine.hpp"
+#include "coupling/loop/run.hpp"
+#include "coupling/records/console.hpp"
+#include "coupling/records/forces_csv.hpp"
+#include "coupling/records/records.hpp"
+#include "coupling/records/run_folder.hpp"
+#include "coupling/records/summary.hpp"
+#include "coupling/records/xdmf.hpp"
+#include "coupling/scene/reader.hpp"
+
+namespace couloir {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void on_signal(int signal) {
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);  // a second one ends at once
+}
+
+struct RunVerb {
+  SceneOptions scene;
+  std::string out;
+  int threads = 1;
+  bool json = false, no_report = false;
+};
+
+void print_result(const RunFolder& folder, const nlohmann::json& summary, const std::string& page) {
+  for (const auto& [name, o] : summary.at("obstacles").items())
+    fmt::print("{}: peak {:.4g} N, mean {:.4g} N, impulse {:.4g} N s\n", name, o.value("force_peak", 0.0), o.value("force_mean", 0.0),
+               o.value("impulse", 0.0));
+  fmt::print("mass: relative error {:.1e}\n", summary.at("mass").value("relative_error", 0.0));
+  fmt::print("run: {}\n", folder.path().string());
+  if (!page.empty()) fmt::print("report: {}\n", page);
+}
+
+int run(const RunVerb& verb) {
+  const Scene scene = verb.scene.read();
+  const std::string text = write_scene(scene);
+  const RunFolder folder = RunFolder::create(scene, verb.out, text);
+  const std::string work = folder.file("engine");
+  std::filesystem::create_directories(work);
+
+  RunOptions options;
+  options.threads = verb.threads;
+  options.work_dir = work;
+  options.worker = default_worker_path();
+  options.packings = packings_folder();
+  interrupted = 0;
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  options.interrupted = [] { return interrupted != 0; };
+
+  ConsoleSettings screen;
+  screen.terminal = isatty(fileno(stderr));
+  screen.quiet = verb.json;
+  Records records(folder.file("records.h5"), text);
+  Xdmf xdmf(folder.path().string());
+  ForcesCsv forces(folder.file("forces.csv"));
+  Console console(folder.file("log.txt"), screen);
+  Summary summary(folder.file("summary.json"));
+  // Records flush a frame before Xdmf names it; the summary is last, so that its being there means that all else is.
+  const RunEnd end = run_scene(scene, options, {&records, &xdmf, &forces, &console, &summary});
+
+  std::string page;
+  if (!verb.no_report) page = draw_report({folder.path().string()}, "");
+  if (verb.json) {
+    auto json = nlohmann::json::parse(summary.text());
+    json["run"] = folder.path().string();
+    json["report"] = page;
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    print_result(folder, nlohmann::json::parse(summary.text()), page);
+  }
+  return end.status == "done" ? 0 : 3;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<RunVerb>();
+  CLI::App* verb = app.add_subcommand("run", "run a scene and draw its report");
+  options->scene.declare(*verb);
+  verb->add_option("--out", options->out, "the run's folder; default: runs/<scene>-<mode>");
+  verb->add_option("--threads", options->threads, "of the solver; any number gives the same bits")->check(CLI::Range(1, 256));
+  verb->add_flag("--no-report", options->no_report, "leave out the pictures (couloir report draws them later)");
+  verb->add_flag("--json", options->json, "print the summary alone, machine-readable");
+  verb->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace couloir

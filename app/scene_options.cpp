@@ -1,0 +1,32 @@
+#include "app/scene_options.hpp"
+
+#include "coupling/scene/reader.hpp"
+#include "coupling/scene/scene_error.hpp"
+
+namespace couloir {
+
+void SceneOptions::declare(CLI::App& verb) {
+  verb.add_option("SCENE", path, "a scene file, or an experiment's folder")->required();
+  verb.add_option("--mode", mode, "continuum, coupled or grains; instead of the scene's own");
+  verb.add_option("--set", set, "key=value, instead of the scene's own; may be given more than once")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+Scene SceneOptions::read() const {
+  Overrides overrides;
+  if (!mode.empty()) overrides.emplace_back("mode", mode);
+  for (const std::string& s : set) {
+    const auto at = s.find('=');
+    if (at == std::string::npos || at == 0)
+      throw SceneError("--set " + s + ": a key and a value are needed, as in --set grains.seed=7");
+    overrides.emplace_back(s.substr(0, at), s.substr(at + 1));
+  }
+  return read_scene(path, materials_folder(), overrides);
+}
+
+std::string materials_folder() { return COULOIR_SOURCE_DIR "/dem_inputs/materials"; }
+std::string packings_folder() { return COULOIR_SOURCE_DIR "/.cache/packings"; }
+std::string report_script() { return COULOIR_SOURCE_DIR "/app/report/report.py"; }
+
+}  // namespace couloir

@@ -1,0 +1,89 @@
+#include "continuum/boundary/covered_zone.hpp"
+
+#include <stdexcept>
+
+namespace couloir {
+namespace {
+
+constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
+
+bool is_low(SideName side) {
+  return side == SideName::upstream || side == SideName::left;
+}
+bool across_x(SideName side) {
+  return side == SideName::upstream || side == SideName::downstream;
+}
+
+}  // namespace
+
+CoveredZone::CoveredZone(const CellBox& box, const Grid& grid) : box_(box), dx_(grid.dx), dy_(grid.dy) {
+  if (box.empty() || box.i0 < 0 || box.j0 < 0 || box.i1 > grid.nx || box.j1 > grid.ny) {
+    throw std::invalid_argument("The covered zone must hold at least one cell and lie inside the grid; move or shrink the zone.");
+  }
+  const bool inside[] = {box.i0 > 0, box.i1<grid.nx, box.j0> 0, box.j1 < grid.ny};
+  for (SideName side : all_sides) {
+    Rim& r = rim(side);
+    const int n = across_x(side) ? box.j1 - box.j0 : box.i1 - box.i0;
+    r.inside_domain = inside[static_cast<int>(side)];
+    r.imposed.resize(n), r.actual.resize(n), r.passed.resize(n);
+  }
+}
+
+CoveredZone::Neighbour CoveredZone::neighbour(SideName side, int k) const {
+  switch (side) {
+    case SideName::upstream:
+      return {box_.i0 - 1, box_.j0 + k};
+    case SideName::downstream:
+      return {box_.i1, box_.j0 + k};
+    case SideName::left:
+      return {box_.i0 + k, box_.j0 - 1};
+    case SideName::right:
+      break;
+  }
+  return {box_.i0 + k, box_.j1};
+}
+
+void CoveredZone::impose(SideName side, int k, const FaceFlux& flux) {
+  rim(side).imposed.at(k) = flux;
+}
+const FaceFlux& CoveredZone::imposed(SideName side, int k) const {
+  return rim(side).imposed.at(k);
+}
+const FaceFlux& CoveredZone::passed(SideName side, int k) const {
+  return rim(side).passed.at(k);
+}
+const FaceFlux& CoveredZone::actual(SideName side, int k) const {
+  return rim(side).actual[k];
+}
+void CoveredZone::set_passed(SideName side, int k, const FaceFlux& flux) {
+  rim(side).passed.at(k) = flux;
+}
+void CoveredZone::reset_passed() {
+  for (Rim& r : rims_) r.passed.assign(r.passed.size(), {});
+}
+
+void CoveredZone::limit(double dt, const std::function<double(int i, int j)>& depth) {
+  for (SideName side : all_sides) {
+    Rim& r = rim(side);
+    for (std::size_t k = 0; r.inside_domain && k < r.imposed.size(); ++k) {
+      const FaceFlux& f = r.imposed[k];
+      const Neighbour n = neighbour(side, static_cast<int>(k));
+      const double taken = dt * (is_low(side) ? f.mass : -f.mass);
+      const double most = 0.5 * depth(n.i, n.j) * (across_x(side) ? dx_ : dy_);
+      const double share = taken > most ? most / taken : 1.0;
+      r.actual[k] = {f.mass * share, f.mom_x * share, f.mom_y * share};
+    }
+  }
+}
+
+void CoveredZone::count(double dt) {
+  for (Rim& r : rims_) {
+    for (std::size_t k = 0; r.inside_domain && k < r.actual.size(); ++k) {
+      r.passed[k].mass += dt * r.actual[k].mass;
+      r.passed[k].mom_x += dt * r.actual[k].mom_x;
+      r.passed[k].mom_y += dt * r.actual[k].mom_y;
+    }
+  }
+}
+
+}  // namespace couloir

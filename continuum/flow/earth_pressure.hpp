@@ -1,0 +1,23 @@
+#pragma once
+// Earth pressure coefficients K_x, K_y (2.83)-(2.86); all ones for the hydraulic closure.
+
+namespace couloir {
+
+struct EarthPressure {
+  double x_active = 1, x_passive = 1;
+  double y_active_active = 1, y_passive_active = 1;    // K_y for x active:  y active, y passive
+  double y_active_passive = 1, y_passive_passive = 1;  // K_y for x passive: y active, y passive
+
+  static EarthPressure hydraulic() { return {}; }
+  // phi: internal friction angle [rad], delta: basal friction angle [rad]; needs 0 <= delta <= phi < 90 deg,
+  // throws std::invalid_argument otherwise.
+  static EarthPressure active_passive(double phi, double delta);
+
+  bool is_hydraulic() const { return x_active == 1 && x_passive == 1; }
+  double kx(double du_dx) const { return du_dx >= 0 ? x_active : x_passive; }
+  double ky(double du_dx, double dv_dy) const {
+    return du_dx >= 0 ? (dv_dy >= 0 ? y_active_active : y_passive_active) : (dv_dy >= 0 ? y_active_passive : y_passive_passive);
+  }
+};
+
+}  // namespace couloir

@@ -1,0 +1,18 @@
+#pragma once
+// Coulomb basal friction with the curvature term (2.91), (2.92): it may stop the flow but never turn it round.
+
+#include <algorithm>
+
+namespace couloir {
+
+// The momentum that friction can take in dt: dt tan(delta) (g cos(zeta) + kappa u^2) h [m2/s].
+inline double coulomb_capacity(double dt, double tan_delta, double weight, double kappa, double u, double h) {
+  return dt * tan_delta * (weight + kappa * u * u) * h;
+}
+
+// What friction leaves of a momentum of this magnitude, as a factor in [0, 1].
+inline double coulomb_factor(double magnitude, double capacity) {
+  return std::max(0.0, 1.0 - capacity / std::max(magnitude, 1e-300));
+}
+
+}  // namespace couloir

@@ -1,0 +1,50 @@
+#pragma once
+// A block of cells with two layers of ghosts: its place in the grid, its terrain, its state.
+//
+//   local (i, j): interior 0 <= i < nx, 0 <= j < ny; ghosts down to -2 and up to nx + 1; rows along x are contiguous.
+//   A face has the index of the cell above it: the x-face c lies between cells c - 1 and c, the y-face c between c - row and c.
+
+#include <vector>
+
+namespace couloir {
+
+struct Block {
+  static constexpr int ghosts = 2;
+
+  int i0 = 0, j0 = 0;  // grid indices of local cell (0, 0)
+  int nx = 0, ny = 0;
+
+  int row() const { return nx + 2 * ghosts; }
+  int size() const { return row() * (ny + 2 * ghosts); }
+  int at(int i, int j) const { return (j + ghosts) * row() + i + ghosts; }
+
+  // By cell, ghosts included.
+  std::vector<double> bed;    // smooth elevation z_b [m]
+  std::vector<double> top;    // height of the step obstacle that fills the cell [m], else 0
+  std::vector<int> obstacle;  // its number, else -1
+  bool relief = false;        // some bed != 0
+
+  // By column, index i + ghosts.
+  std::vector<double> weight;       // g cos(zeta) at cell centres [m/s2]
+  std::vector<double> weight_face;  // g cos(zeta) at the x-face below the cell
+  std::vector<double> drive;        // g sin(zeta)
+  std::vector<double> tan_zeta;
+  std::vector<double> kappa;  // curvature [1/m]; 0 where the closure leaves it out
+};
+
+// Depth and momenta of a block's cells as separate arrays.
+struct Fields {
+  std::vector<double> h, hu, hv;
+  void resize(int n) { h.resize(n), hu.resize(n), hv.resize(n); }
+};
+
+struct BlockState {
+  Fields now;                // ghosts included
+  Fields start;              // at the start of the step; interior only is meaningful
+  std::vector<double> open;  // 1: the solver's own cell, 0: covered; ghosts included
+  bool all_open = true;      // no covered cell, ghosts included
+  bool wet = false;          // some depth reaches the dry depth
+  bool stepped = false;      // took part in the first stage of this step
+};
+
+}  // namespace couloir

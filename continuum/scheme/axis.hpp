@@ -1,0 +1,34 @@
+#pragma once
+// One of the two directions of a block, so that x and y share their code.
+
+#include "continuum/mesh/block.hpp"
+#include "continuum/scheme/scratch.hpp"
+
+namespace couloir {
+
+struct Axis {
+  bool along_x;
+  int step;              // from a cell to its upper neighbour
+  int faces_i, faces_j;  // faces of the block: 0 <= i < faces_i, 0 <= j < faces_j
+  double spacing;        // [m] of the cells along the axis
+  double face_length;    // [m]
+  const double* un;      // velocity along and across
+  const double* ut;
+  const double* k;       // earth pressure coefficient
+  const double* weight;  // g cos(zeta) at the faces, by column: index i + ghosts
+  FaceFluxes* fluxes;
+  double* source;
+
+  static Axis x(const Block& b, Scratch& w, double dx, double dy) {
+    return {true, 1, b.nx + 1, b.ny, dx, dy, w.u.data(), w.v.data(), w.kx.data(), b.weight_face.data(), &w.x, w.source_x.data()};
+  }
+  static Axis y(const Block& b, Scratch& w, double dx, double dy) {
+    return {false,      b.row(),    b.nx,        b.ny + 1,        dy,   dx,
+            w.v.data(), w.u.data(), w.ky.data(), b.weight.data(), &w.y, w.source_y.data()};
+  }
+  // Cells whose face values the block's fluxes need: the interior and one ghost at either end of the axis.
+  int first_i() const { return along_x ? -1 : 0; }
+  int first_j() const { return along_x ? 0 : -1; }
+};
+
+}  // namespace couloir

@@ -1,0 +1,35 @@
+#pragma once
+// Momentum and mass that entered (+) the active cells since the last reset, by cause. Depth-averaged units: times the bulk
+// density they are kg and N s. Vector entries are (x, y) in reference coordinates.
+
+#include <array>
+
+namespace couloir {
+
+struct Budget {
+  double mass_boundary = 0;         // [m3] through the domain's sides
+  double mass_zone = 0;             // [m3] through the faces of the covered zone
+  double mass_clipped = 0;          // [m3] created by removing negative depths; 0 unless something is wrong
+  std::array<double, 2> gravity{};  // [m4/s] downslope weight and bed slope
+  std::array<double, 2> friction{};
+  std::array<double, 2> boundary{};   // momentum and pressure through the domain's sides
+  std::array<double, 2> zone{};       // through the faces of the covered zone
+  std::array<double, 2> obstacles{};  // from step obstacles, all together
+  std::array<double, 2> cutoff{};     // momentum dropped where the depth is below dry_depth
+
+  void add(const Budget& b) {
+    mass_boundary += b.mass_boundary;
+    mass_zone += b.mass_zone;
+    mass_clipped += b.mass_clipped;
+    for (int k : {0, 1}) {
+      gravity[k] += b.gravity[k];
+      friction[k] += b.friction[k];
+      boundary[k] += b.boundary[k];
+      zone[k] += b.zone[k];
+      obstacles[k] += b.obstacles[k];
+      cutoff[k] += b.cutoff[k];
+    }
+  }
+};
+
+}  // namespace couloir

@@ -1,0 +1,69 @@
+#include "continuum/scheme/cell_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace couloir {
+namespace {
+
+constexpr double round_off = 1e-9;  // of the speed: differences below it are noise, not compression
+
+// Sum of the two one-sided velocity differences of cell c along an axis of this step.
+double stretching(const Parameters& p, const Block& b, const Fields& q, const std::vector<double>& u, int c, int step) {
+  const auto difference = [&](int n) {
+    const double to_neighbour = n > c ? 1.0 : -1.0;
+    const bool wall = b.top[n] > b.top[c] && q.h[c] + b.bed[c] + b.top[c] <= b.bed[n] + b.top[n];
+    if (wall) return to_neighbour * (-u[c] - u[c]);
+    return q.h[n] >= p.dry_depth ? to_neighbour * (u[n] - u[c]) : 0.0;
+  };
+  return difference(c + step) + difference(c - step);
+}
+
+}  // namespace
+
+void find_velocity(const Parameters& p, const Block& b, const Fields& q, Scratch& w) {
+  const double *h = q.h.data(), *hu = q.hu.data(), *hv = q.hv.data(), *bed = b.bed.data();
+  double *u = w.u.data(), *v = w.v.data(), *eta = w.eta.data();
+  const double dry = p.dry_depth;
+  const int n = b.size();
+#pragma omp simd
+  for (int c = 0; c < n; ++c) {
+    const bool wet = h[c] >= dry;
+    const double depth = wet ? h[c] : 1.0;
+    u[c] = wet ? hu[c] / depth : 0.0;
+    v[c] = wet ? hv[c] / depth : 0.0;
+    eta[c] = h[c] + bed[c];
+  }
+}
+
+void find_earth_pressure(const Parameters& p, const Block& b, const StepFaces& steps, const Fields& q, Scratch& w) {
+  const EarthPressure k = p.closure.earth_pressure;
+  if (k.is_hydraulic()) {
+    std::fill(w.kx.begin(), w.kx.end(), 1.0);
+    std::fill(w.ky.begin(), w.ky.end(), 1.0);
+    return;
+  }
+  const int row = b.row();
+  const double dry = p.dry_depth;
+  const double *h = q.h.data(), *u = w.u.data(), *v = w.v.data();
+  double *kx = w.kx.data(), *ky = w.ky.data();
+  for (int j = -1; j <= b.ny; ++j) {
+    const int begin = b.at(-1, j), end = b.at(b.nx, j);
+#pragma omp simd
+    for (int c = begin; c <= end; ++c) {
+      const double du = (h[c + 1] >= dry ? u[c + 1] - u[c] : 0.0) + (h[c - 1] >= dry ? u[c] - u[c - 1] : 0.0);
+      const double dv = (h[c + row] >= dry ? v[c + row] - v[c] : 0.0) + (h[c - row] >= dry ? v[c] - v[c - row] : 0.0);
+      const double noise = round_off * (std::abs(u[c]) + std::abs(v[c])) + 0.03*2*p.grid.dx*std::sqrt(10/std::max(1e-7,h[c]));
+      kx[c] = k.kx(du + noise);
+      ky[c] = k.ky(du + noise, dv + noise);
+    }
+  }
+  for (int c : steps.cells) {
+    const double du = stretching(p, b, q, w.u, c, 1), dv = stretching(p, b, q, w.v, c, row);
+    const double noise = round_off * (std::abs(u[c]) + std::abs(v[c]));
+    kx[c] = k.kx(du + noise);
+    ky[c] = k.ky(du + noise, dv + noise);
+  }
+}
+
+}  // namespace couloir

@@ -1,0 +1,58 @@
+#include "continuum/scheme/face_flux.hpp"
+
+#include <algorithm>
+
+#include "continuum/scheme/hll.hpp"
+
+namespace couloir {
+
+void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
+  const int step = axis.step;
+  FaceFluxes& out = *axis.fluxes;
+  const double *h_lo = f.h_lo.data(), *h_hi = f.h_hi.data(), *eta_lo = f.eta_lo.data(), *eta_hi = f.eta_hi.data();
+  const double *un_lo = f.un_lo.data(), *un_hi = f.un_hi.data(), *ut_lo = f.ut_lo.data(), *ut_hi = f.ut_hi.data();
+  const double *k = axis.k, *loose = w.loose.data();
+  double *mass = out.mass.data(), *tangent = out.tangent.data(), *normal = out.normal.data();
+  double *below = out.normal_below.data(), *above = out.normal_above.data();
+  for (int j = 0; j < axis.faces_j; ++j) {
+    const int begin = b.at(0, j);
+    const double* weight = axis.weight + Block::ghosts;
+#pragma omp simd
+    for (int i = 0; i < axis.faces_i; ++i) {
+      const int r = begin + i, l = r - step;
+      const double gl = k[l] * weight[i], gr = k[r] * weight[i];
+      const double hl = h_hi[l], hr = h_lo[r];
+      const double sill = std::max(eta_hi[l] - hl, eta_lo[r] - hr);
+      const double over_l = std::max(0.0, std::min(hl, eta_hi[l] - sill));
+      const double over_r = std::max(0.0, std::min(hr, eta_lo[r] - sill));
+      const NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr);
+      const double m = n.mass * std::max(loose[l], loose[r]);
+      mass[r] = m;
+      tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
+      normal[r] = n.momentum;
+      below[r] = (n.momentum - pressure(over_l, gl)) + pressure(hl, gl);
+      above[r] = (n.momentum - pressure(over_r, gr)) + pressure(hr, gr);
+    }
+  }
+}
+
+void bed_source(const Block& b, const Axis& axis, const Fields& q, const FaceValues& f) {
+  const int step = axis.step;
+  const double per_spacing = 1 / axis.spacing;
+  const double *h = q.h.data(), *bed = b.bed.data();
+  const double *h_lo = f.h_lo.data(), *h_hi = f.h_hi.data(), *eta_lo = f.eta_lo.data(), *eta_hi = f.eta_hi.data();
+  const double* weight = b.weight.data() + Block::ghosts;
+  for (int j = 0; j < b.ny; ++j) {
+    const int begin = b.at(0, j);
+#pragma omp simd
+    for (int i = 0; i < b.nx; ++i) {
+      const int c = begin + i;
+      const double rise = (eta_hi[c] - h_hi[c]) - (eta_lo[c] - h_lo[c]);
+      const double balanced = axis.k[c] * (0.5 * (h_lo[c] + h_hi[c])) * rise;
+      const double rest = (1 - axis.k[c]) * h[c] * (0.5 * (bed[c + step] - bed[c - step]));
+      axis.source[c] = -(weight[i] * per_spacing) * (balanced + rest);
+    }
+  }
+}
+
+}  // namespace couloir

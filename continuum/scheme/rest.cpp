@@ -1,0 +1,92 @@
+#include "continuum/scheme/rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace couloir {
+namespace {
+
+struct Slope {
+  bool exists = false;
+  double surface = 0, bed = 0;  // difference to the neighbour in the direction of the axis [m]
+};
+
+class RestTest {
+ public:
+  RestTest(const Parameters& p, const Block& b, const BlockState& s, const Scratch& w)
+      : p_(p), b_(b), q_(s.now), w_(w), mu_(p.closure.tan_delta * (1 + 1e-12)) {}
+
+  bool locked(int i, int j) const {
+    const int c = b_.at(i, j);
+    if (q_.h[c] < p_.dry_depth) return true;
+    if (q_.hu[c] != 0 || q_.hv[c] != 0 || !(mu_ > 0)) return false;
+    const int gi = b_.i0 + i, gj = b_.j0 + j, row = b_.row();
+    const Slope x_lo = slope(c, c - 1, gi == 0 && wall(0)), x_hi = slope(c, c + 1, gi == p_.grid.nx - 1 && wall(1));
+    const Slope y_lo = slope(c, c - row, gj == 0 && wall(2)), y_hi = slope(c, c + row, gj == p_.grid.ny - 1 && wall(3));
+    double fx = 0, fy = 0;
+    return holds(x_lo, x_hi, b_.tan_zeta[i + Block::ghosts], w_.kx[c], p_.grid.dx, fx) &&
+           holds(y_lo, y_hi, 0, w_.ky[c], p_.grid.dy, fy) && fx * fx + fy * fy <= mu_ * mu_;
+  }
+
+ private:
+  bool wall(int side) const { return p_.sides[side].kind == Side::Kind::wall; }
+
+  Slope slope(int c, int n, bool closed) const {
+    if (closed) return {};
+    const double to_neighbour = n > c ? 1.0 : -1.0;
+    const double bed = to_neighbour * (b_.bed[n] - b_.bed[c]);
+    const double head_c = q_.h[c] + b_.bed[c], head_n = q_.h[n] + b_.bed[n];
+    if (b_.top[n] == b_.top[c]) {
+      if (q_.h[n] < p_.dry_depth && b_.bed[n] >= head_c) return {};
+      return {true, to_neighbour * (head_n - head_c), bed};
+    }
+    const double sill = std::max(b_.bed[c] + b_.top[c], b_.bed[n] + b_.top[n]);
+    const double over_c = head_c + b_.top[c] - sill, over_n = std::max(0.0, head_n + b_.top[n] - sill);
+    if (over_c <= 0) return {};
+    return {true, to_neighbour * (over_n - over_c), bed};
+  }
+
+  // Each one-sided driving force is within friction; force: their mean. Between two closed sides nothing can move.
+  bool holds(const Slope& lo, const Slope& hi, double drive, double k, double spacing, double& force) const {
+    const auto driving = [&](const Slope& s) { return drive - (k * s.surface + (1 - k) * s.bed) / spacing; };
+    const double a = lo.exists ? driving(lo) : driving(hi), b = hi.exists ? driving(hi) : driving(lo);
+    if (!lo.exists && !hi.exists) return true;
+    force = 0.5 * (a + b);
+    return std::abs(a) <= mu_ && std::abs(b) <= mu_;
+  }
+
+  const Parameters& p_;
+  const Block& b_;
+  const Fields& q_;
+  const Scratch& w_;
+  double mu_;
+};
+
+// A ghost outside of the domain stands for the cell inside.
+void copy_from_inside(const Parameters& p, const Block& b, std::vector<double>& loose) {
+  const auto outside = [&](int side) {
+    return p.sides[side].kind == Side::Kind::wall || p.sides[side].kind == Side::Kind::outflow;
+  };
+  for (int j = 0; j < b.ny; ++j) {
+    if (b.i0 == 0 && outside(0)) loose[b.at(-1, j)] = loose[b.at(0, j)];
+    if (b.i0 + b.nx == p.grid.nx && outside(1)) loose[b.at(b.nx, j)] = loose[b.at(b.nx - 1, j)];
+  }
+  for (int i = 0; i < b.nx; ++i) {
+    if (b.j0 == 0 && outside(2)) loose[b.at(i, -1)] = loose[b.at(i, 0)];
+    if (b.j0 + b.ny == p.grid.ny && outside(3)) loose[b.at(i, b.ny)] = loose[b.at(i, b.ny - 1)];
+  }
+}
+
+}  // namespace
+
+void find_locked(const Parameters& p, const Block& b, const BlockState& s, Scratch& w) {
+  const RestTest test(p, b, s, w);
+  for (int j = -1; j <= b.ny; ++j) {
+    for (int i = -1; i <= b.nx; ++i) {
+      w.loose[b.at(i, j)] = s.open[b.at(i, j)] == 1 && test.locked(i, j) ? 0.0 : 1.0;
+    }
+  }
+  copy_from_inside(p, b, w.loose);
+}
+
+}  // namespace couloir

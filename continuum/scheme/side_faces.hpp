@@ -1,0 +1,30 @@
+#pragma once
+// The faces on the domain's sides. A wall turns the flow back; an outflow side does so with what moves away from it, so that
+// nothing enters; inflow and periodic sides take the flux between the cells on both sides.
+
+#include "continuum/boundary/covered_zone.hpp"
+#include "continuum/mesh/block.hpp"
+#include "continuum/scheme/axis.hpp"
+#include "continuum/scheme/parameters.hpp"
+#include "continuum/scheme/tally.hpp"
+
+namespace couloir {
+
+// Replaces the fluxes through walls and through closed outflow faces.
+void side_fluxes(const Parameters&, const Block&, const Axis&, const FaceValues&);
+
+// Books what passes; share: what this stage counts in the step, times dt [s].
+void count_sides(const Parameters&, const Block&, const BlockState&, const Axis&, double share, Tally&);
+
+// A face of the covered zone's rim that this block's fluxes meet.
+struct RimFace {
+  int face;
+  bool along_x;  // the axis across the face
+  SideName side;
+  int k;
+};
+
+// Replaces the fluxes through the rim by what the zone imposes.
+void rim_fluxes(const std::vector<RimFace>&, const CoveredZone&, const Axis&);
+
+}  // namespace couloir

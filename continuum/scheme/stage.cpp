@@ -1,0 +1,72 @@
+#include "continuum/scheme/stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "continuum/scheme/cell_state.hpp"
+#include "continuum/scheme/face_flux.hpp"
+#include "continuum/scheme/reconstruct.hpp"
+#include "continuum/scheme/rest.hpp"
+
+namespace couloir {
+namespace {
+
+void fluxes_along(const Axis& axis, const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone,
+                  const BlockState& s, Scratch& w) {
+  with_limiter(p.limiter, [&](auto limiter) { reconstruct_all<decltype(limiter)>(b, axis, s.now, w, w.values); });
+  flatten_at_steps(faces.steps, b, s.now, w, axis, w.values);
+  face_fluxes(b, axis, w, w.values);
+  step_face_fluxes(faces.steps, b, w, axis, w.values);
+  side_fluxes(p, b, axis, w.values);
+  rim_fluxes(faces.rim, zone, axis);
+  if (b.relief) {
+    bed_source(b, axis, s.now, w.values);
+  } else {
+    std::fill_n(axis.source, b.size(), 0.0);
+  }
+}
+
+void count_gauges(const BlockFaces& faces, const Block& b, const BlockState& s, const Axis& x, double share, Tally& t) {
+  for (const GaugeFaces& g : faces.gauges) {
+    for (int j = g.j0; j < g.j1; ++j) {
+      const int c = b.at(g.i, j);
+      const bool solvers_own = s.open[c] != 0 || s.open[c - 1] != 0;
+      if (solvers_own) t.gauge[g.gauge] += share * x.face_length * x.fluxes->mass[c];
+    }
+  }
+}
+
+}  // namespace
+
+void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone, BlockState& s, Scratch& w,
+               StageName stage, double dt, Tally& t) {
+  const Axis x = Axis::x(b, w, p.grid.dx, p.grid.dy), y = Axis::y(b, w, p.grid.dx, p.grid.dy);
+  find_velocity(p, b, s.now, w);
+  find_earth_pressure(p, b, faces.steps, s.now, w);
+  find_locked(p, b, s, w);
+  for (const Axis& axis : {x, y}) {
+    fluxes_along(axis, p, b, faces, zone, s, w);
+    count_sides(p, b, s, axis, 0.5 * dt, t);
+    count_step_faces(faces.steps, b, s, axis, 0.5 * dt, t);
+  }
+  count_gauges(faces, b, s, x, 0.5 * dt, t);
+  update(p, b, s, w, stage, dt, t);
+}
+
+double signal_rate(const Parameters& p, const Block& b, const BlockFaces& faces, const BlockState& s, Scratch& w) {
+  find_velocity(p, b, s.now, w);
+  find_earth_pressure(p, b, faces.steps, s.now, w);
+  double rate = 0;
+  for (int j = 0; j < b.ny; ++j) {
+    for (int i = 0; i < b.nx; ++i) {
+      const int c = b.at(i, j);
+      const double gh = b.weight[i + Block::ghosts] * std::max(0.0, s.now.h[c]);
+      const double here =
+          (std::abs(w.u[c]) + std::sqrt(w.kx[c] * gh)) / p.grid.dx + (std::abs(w.v[c]) + std::sqrt(w.ky[c] * gh)) / p.grid.dy;
+      rate = std::max(rate, here);
+    }
+  }
+  return rate;
+}
+
+}  // namespace couloir

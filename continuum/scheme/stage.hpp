@@ -1,0 +1,31 @@
+#pragma once
+// One stage of the step on one block, as a table of contents. Ghosts must be filled.
+
+#include <vector>
+
+#include "continuum/boundary/covered_zone.hpp"
+#include "continuum/scheme/side_faces.hpp"
+#include "continuum/scheme/step_faces.hpp"
+#include "continuum/scheme/update.hpp"
+
+namespace couloir {
+
+// Counts the volume through the x-face i (local) in the local rows [j0, j1).
+struct GaugeFaces {
+  int gauge, i, j0, j1;
+};
+
+// What a block knows besides its cells.
+struct BlockFaces {
+  StepFaces steps;
+  std::vector<RimFace> rim;
+  std::vector<GaugeFaces> gauges;
+};
+
+void run_stage(const Parameters&, const Block&, const BlockFaces&, const CoveredZone&, BlockState&, Scratch&, StageName,
+               double dt, Tally&);
+
+// Fastest rate at which a signal crosses a cell of this block: max of (|u| + c_x)/dx + (|v| + c_y)/dy [1/s].
+double signal_rate(const Parameters&, const Block&, const BlockFaces&, const BlockState&, Scratch&);
+
+}  // namespace couloir

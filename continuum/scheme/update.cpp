@@ -1,0 +1,137 @@
+#include "continuum/scheme/update.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "continuum/flow/friction.hpp"
+
+namespace couloir {
+namespace {
+
+// Sums by column: added row after row they vectorise, and their order is fixed.
+enum Column { gravity_x, gravity_y, friction_x, friction_y, cutoff_x, cutoff_y, clipped, least, most, not_finite, column_count };
+
+void clear(std::vector<std::vector<double>>& columns, int nx) {
+  columns.resize(column_count);
+  for (auto& c : columns) c.assign(nx, 0.0);
+  std::fill(columns[least].begin(), columns[least].end(), std::numeric_limits<double>::infinity());
+}
+
+double sum(const std::vector<double>& values) {
+  double s = 0;
+  for (double v : values) s += v;
+  return s;
+}
+
+template <StageName stage>
+void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, double dt, int j) {
+  const int row = b.row(), begin = b.at(0, j);
+  const double per_dx = 1 / p.grid.dx, per_dy = 1 / p.grid.dy, mu = p.closure.tan_delta, dry = p.dry_depth;
+  double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data();
+  double *h0 = s.start.h.data(), *hu0 = s.start.hu.data(), *hv0 = s.start.hv.data();
+  const double *open = s.open.data(), *loose = w.loose.data(), *u = w.u.data();
+  const double *x_mass = w.x.mass.data(), *x_normal = w.x.normal.data(), *x_below = w.x.normal_below.data(),
+               *x_above = w.x.normal_above.data(), *x_tangent = w.x.tangent.data();
+  const double *y_mass = w.y.mass.data(), *y_normal = w.y.normal.data(), *y_below = w.y.normal_below.data(),
+               *y_above = w.y.normal_above.data(), *y_tangent = w.y.tangent.data();
+  const double *source_x = w.source_x.data(), *source_y = w.source_y.data();
+  const double *weight = b.weight.data() + Block::ghosts, *drive = b.drive.data() + Block::ghosts,
+               *kappa = b.kappa.data() + Block::ghosts;
+  double *sum_gx = w.columns[gravity_x].data(), *sum_gy = w.columns[gravity_y].data();
+  double *sum_fx = w.columns[friction_x].data(), *sum_fy = w.columns[friction_y].data();
+  double *sum_cx = w.columns[cutoff_x].data(), *sum_cy = w.columns[cutoff_y].data();
+  double *sum_clip = w.columns[clipped].data(), *min_h = w.columns[least].data(), *max_h = w.columns[most].data();
+  double* bad = w.columns[not_finite].data();
+
+#pragma omp simd
+  for (int i = 0; i < b.nx; ++i) {
+    const int c = begin + i;
+    const bool active = open[c] != 0;
+    const double old_h = h[c], old_hu = hu[c], old_hv = hv[c];
+
+    // Flux differences and sources.
+    const double raw_h = old_h - dt * ((x_mass[c + 1] - x_mass[c]) * per_dx + (y_mass[c + row] - y_mass[c]) * per_dy);
+    const double push_x = old_h * drive[i] + source_x[c], push_y = source_y[c];
+    const double x_by_x = (x_below[c + 1] - x_above[c]) * per_dx, x_by_y = (y_tangent[c + row] - y_tangent[c]) * per_dy;
+    const double y_by_y = (y_below[c + row] - y_above[c]) * per_dy, y_by_x = (x_tangent[c + 1] - x_tangent[c]) * per_dx;
+    const double free_hu = old_hu + dt * (push_x - (x_by_x + x_by_y)), free_hv = old_hv + dt * (push_y - (y_by_x + y_by_y));
+
+    // Friction. A locked cell among locked cells is held whatever the rounding says.
+    const bool held = loose[c] + loose[c - 1] + loose[c + 1] + loose[c - row] + loose[c + row] == 0;
+    const double capacity = coulomb_capacity(dt, mu, weight[i], kappa[i], u[c], old_h);
+    const double factor = held ? 0.0 : coulomb_factor(std::sqrt(free_hu * free_hu + free_hv * free_hv), capacity);
+    double new_hu = free_hu * factor, new_hv = free_hv * factor;
+    double lost_x = 0.5 * (new_hu - free_hu), lost_y = 0.5 * (new_hv - free_hv);
+
+    // Depth: clipped as the last resort; no momentum in a film.
+    double new_h = std::max(raw_h, 0.0);
+    const bool film = new_h < dry;
+    double dropped_x = film ? -0.5 * new_hu : 0.0, dropped_y = film ? -0.5 * new_hv : 0.0;
+    new_hu = film ? 0.0 : new_hu;
+    new_hv = film ? 0.0 : new_hv;
+
+    if constexpr (stage == StageName::predictor) {
+      h0[c] = old_h, hu0[c] = old_hu, hv0[c] = old_hv;
+    } else {
+      new_h = 0.5 * (h0[c] + new_h);
+      new_hu = 0.5 * (hu0[c] + new_hu);
+      new_hv = 0.5 * (hv0[c] + new_hv);
+      const bool stopped = factor == 0 && old_h >= dry;  // a film has nothing to say about the whole step
+      lost_x -= stopped ? new_hu : 0.0;
+      lost_y -= stopped ? new_hv : 0.0;
+      new_hu = stopped ? 0.0 : new_hu;
+      new_hv = stopped ? 0.0 : new_hv;
+      const bool thin = new_h < dry;
+      dropped_x -= thin ? new_hu : 0.0;
+      dropped_y -= thin ? new_hv : 0.0;
+      new_hu = thin ? 0.0 : new_hu;
+      new_hv = thin ? 0.0 : new_hv;
+    }
+
+    h[c] = active ? new_h : old_h;
+    hu[c] = active ? new_hu : old_hu;
+    hv[c] = active ? new_hv : old_hv;
+
+    // Sums.
+    const double bed_x = (x_above[c] - x_normal[c]) - (x_below[c + 1] - x_normal[c + 1]);
+    const double bed_y = (y_above[c] - y_normal[c]) - (y_below[c + row] - y_normal[c + row]);
+    sum_gx[i] += active ? 0.5 * dt * (push_x + bed_x * per_dx) : 0.0;
+    sum_gy[i] += active ? 0.5 * dt * (push_y + bed_y * per_dy) : 0.0;
+    sum_fx[i] += active ? lost_x : 0.0;
+    sum_fy[i] += active ? lost_y : 0.0;
+    sum_cx[i] += active ? dropped_x : 0.0;
+    sum_cy[i] += active ? dropped_y : 0.0;
+    sum_clip[i] += active && raw_h < 0 ? -0.5 * raw_h : 0.0;
+    min_h[i] = std::min(min_h[i], active ? raw_h : std::numeric_limits<double>::infinity());
+    max_h[i] = std::max(max_h[i], h[c]);
+    const double all = raw_h + h[c] + hu[c] + hv[c];
+    bad[i] += all - all == 0 ? 0.0 : 1.0;
+  }
+}
+
+}  // namespace
+
+void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, StageName stage, double dt, Tally& t) {
+  clear(w.columns, b.nx);
+  for (int j = 0; j < b.ny; ++j) {
+    if (stage == StageName::predictor) {
+      update_row<StageName::predictor>(p, b, s, w, dt, j);
+    } else {
+      update_row<StageName::corrector>(p, b, s, w, dt, j);
+    }
+  }
+  const double area = p.grid.dx * p.grid.dy;
+  t.budget.gravity[0] += area * sum(w.columns[gravity_x]);
+  t.budget.gravity[1] += area * sum(w.columns[gravity_y]);
+  t.budget.friction[0] += area * sum(w.columns[friction_x]);
+  t.budget.friction[1] += area * sum(w.columns[friction_y]);
+  t.budget.cutoff[0] += area * sum(w.columns[cutoff_x]);
+  t.budget.cutoff[1] += area * sum(w.columns[cutoff_y]);
+  t.budget.mass_clipped += area * sum(w.columns[clipped]);
+  t.min_depth = *std::min_element(w.columns[least].begin(), w.columns[least].end());
+  t.finite = sum(w.columns[not_finite]) == 0;
+  s.wet = *std::max_element(w.columns[most].begin(), w.columns[most].end()) >= p.dry_depth || !t.finite;
+}
+
+}  // namespace couloir

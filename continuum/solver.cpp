@@ -1,0 +1,186 @@
+#include "continuum/solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "continuum/scheme/cell_state.hpp"
+#include "continuum/solver_impl.hpp"
+
+namespace couloir {
+namespace {
+
+void require_cell(const Grid& g, int i, int j) {
+  if (i >= 0 && j >= 0 && i < g.nx && j < g.ny) return;
+  std::ostringstream text;
+  text << "There is no cell (" << i << ", " << j << ") in a grid of " << g.nx << " x " << g.ny << " cells.";
+  throw std::out_of_range(text.str());
+}
+
+}  // namespace
+
+Solver::Solver(const SolverSettings& settings, const ReferenceSurface& surface, const StepBed& bed)
+    : impl_(std::make_unique<Impl>(settings, surface, bed)) {}
+Solver::~Solver() = default;
+Solver::Solver(Solver&&) noexcept = default;
+
+const Grid& Solver::grid() const {
+  return impl_->settings.grid;
+}
+double Solver::time() const {
+  return impl_->time;
+}
+std::int64_t Solver::steps() const {
+  return impl_->steps;
+}
+std::int64_t Solver::cell_updates() const {
+  return impl_->cell_updates;
+}
+
+void Solver::set(const std::function<FlowState(double x, double y)>& state) {
+  const Grid& g = grid();
+  for (int j = 0; j < g.ny; ++j) {
+    for (int i = 0; i < g.nx; ++i) impl_->put(i, j, state(g.x(i), g.y(j)));
+  }
+}
+
+void Solver::set(int i, int j, const FlowState& q) {
+  require_cell(grid(), i, j);
+  impl_->put(i, j, q);
+}
+
+FlowState Solver::at(int i, int j) const {
+  require_cell(grid(), i, j);
+  return impl_->get(i, j);
+}
+
+void Solver::gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const {
+  const Grid& g = grid();
+  const std::size_t n = static_cast<std::size_t>(g.nx) * g.ny;
+  h.resize(n), hu.resize(n), hv.resize(n);
+  for (std::size_t k = 0; k < impl_->states.size(); ++k) {
+    const Block& b = impl_->mesh.blocks()[k];
+    const Fields& q = impl_->states[k].now;
+    for (int j = 0; j < b.ny; ++j) {
+      const std::size_t to = static_cast<std::size_t>(b.j0 + j) * g.nx + b.i0;
+      std::copy_n(&q.h[b.at(0, j)], b.nx, &h[to]);
+      std::copy_n(&q.hu[b.at(0, j)], b.nx, &hu[to]);
+      std::copy_n(&q.hv[b.at(0, j)], b.nx, &hv[to]);
+    }
+  }
+}
+
+double Solver::volume() const {
+  double sum = 0;
+  impl_->for_open_cells([&](const Fields& q, int c) { sum += q.h[c]; });
+  return sum * grid().dx * grid().dy;
+}
+
+std::array<double, 2> Solver::momentum() const {
+  double x = 0, y = 0;
+  impl_->for_open_cells([&](const Fields& q, int c) { x += q.hu[c], y += q.hv[c]; });
+  const double area = grid().dx * grid().dy;
+  return {x * area, y * area};
+}
+
+double Solver::min_depth() const {
+  return impl_->min_depth;
+}
+
+double Solver::max_speed() const {
+  double fastest = 0;
+  impl_->for_open_cells([&](const Fields& q, int c) {
+    if (q.h[c] >= impl_->settings.dry_depth) fastest = std::max(fastest, std::hypot(q.hu[c], q.hv[c]) / q.h[c]);
+  });
+  return fastest;
+}
+
+std::array<double, 2> Solver::earth_pressure(int i, int j) const {
+  require_cell(grid(), i, j);
+  const CellPlace place = impl_->mesh.place(i, j);
+  impl_->ghosts.fill(impl_->states, place.block);
+  const Block& b = impl_->mesh.blocks()[place.block];
+  Scratch w;
+  w.resize(b.size());
+  find_velocity(impl_->parameters, b, impl_->states[place.block].now, w);
+  find_earth_pressure(impl_->parameters, b, impl_->faces[place.block].steps, impl_->states[place.block].now, w);
+  return {w.kx[place.cell], w.ky[place.cell]};
+}
+
+double Solver::stable_dt() const {
+  return impl_->stable_dt();
+}
+
+void Solver::step(double dt) {
+  impl_->step(dt);
+}
+
+void Solver::advance_to(double t_end) {
+  while (time() < t_end) {
+    const double left = t_end - time(), dt = stable_dt();
+    if (left <= dt) {
+      step(left);
+      impl_->time = t_end;
+    } else {
+      step(std::min(dt, 0.5 * left));  // no splinter of a last step
+    }
+  }
+}
+
+void Solver::cover(const CellBox& box) {
+  impl_->cover(box);
+}
+void Solver::uncover() {
+  impl_->uncover();
+}
+const CellBox& Solver::covered() const {
+  return impl_->zone.box();
+}
+
+void Solver::set_covered(int i, int j, const FlowState& q) {
+  if (!covered().contains(i, j)) {
+    std::ostringstream text;
+    text << "Cell (" << i << ", " << j << ") is not covered, so its state is the solver's own; use set().";
+    throw std::out_of_range(text.str());
+  }
+  impl_->put(i, j, q);
+}
+
+void Solver::impose(SideName side, int k, const FaceFlux& flux) {
+  impl_->zone.impose(side, k, flux);
+}
+FaceFlux Solver::passed(SideName side, int k) const {
+  return impl_->zone.passed(side, k);
+}
+void Solver::reset_rim() {
+  impl_->zone.reset_passed();
+}
+
+std::array<double, 2> Solver::obstacle_impulse(int id) const {
+  return impl_->impulse.at(id);
+}
+
+int Solver::add_gauge(int i, int j0, int j1) {
+  const Grid& g = grid();
+  if (i < 0 || i > g.nx || j0 < 0 || j1 > g.ny || j0 >= j1) {
+    throw std::out_of_range("A gauge needs an x-face and rows inside the grid; move it.");
+  }
+  impl_->gauges.push_back({i, j0, j1, 0.0});
+  const int id = static_cast<int>(impl_->gauges.size()) - 1;
+  impl_->lay_gauge(id);
+  return id;
+}
+
+double Solver::gauge(int id) const {
+  return impl_->gauges.at(id).volume;
+}
+
+const Budget& Solver::budget() const {
+  return impl_->budget;
+}
+void Solver::reset_budget() {
+  impl_->budget = {};
+}
+
+}  // namespace couloir

@@ -1,0 +1,106 @@
+// The solver's state as bytes, in one fixed order: header, counters, cells, zone, sums.
+
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+#include "continuum/solver_impl.hpp"
+
+namespace couloir {
+namespace {
+
+constexpr std::uint64_t signature = 0x31526c6f75636f63;  // changes with the layout
+
+class Writer {
+ public:
+  template <class T>
+  void operator()(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const auto* p = reinterpret_cast<const std::uint8_t*>(&value);
+    bytes.insert(bytes.end(), p, p + sizeof(T));
+  }
+  std::vector<std::uint8_t> bytes;
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
+  template <class T>
+  T take() {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (bytes_.size() - at_ < sizeof(T))
+      throw std::invalid_argument("The continuum's checkpoint is cut short; restore an earlier one.");
+    T value;
+    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
+    at_ += sizeof(T);
+    return value;
+  }
+  bool done() const { return at_ == bytes_.size(); }
+
+ private:
+  const std::vector<std::uint8_t>& bytes_;
+  std::size_t at_ = 0;
+};
+
+constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
+
+}  // namespace
+
+std::vector<std::uint8_t> Solver::checkpoint() const {
+  const Impl& m = *impl_;
+  Writer put;
+  put(signature);
+  put(m.settings.grid.nx), put(m.settings.grid.ny), put(static_cast<int>(m.impulse.size()));
+  put(m.time), put(m.steps), put(m.cell_updates), put(m.min_depth), put(m.min_depth_met);
+  for (int j = 0; j < m.settings.grid.ny; ++j) {
+    for (int i = 0; i < m.settings.grid.nx; ++i) put(m.get(i, j));
+  }
+  put(m.zone.box());
+  for (SideName side : all_sides) {
+    for (int k = 0; k < m.zone.faces(side); ++k) put(m.zone.imposed(side, k)), put(m.zone.passed(side, k));
+  }
+  for (const auto& impulse : m.impulse) put(impulse);
+  put(static_cast<int>(m.gauges.size()));
+  for (const Impl::Gauge& g : m.gauges) put(g);
+  put(m.budget);
+  return std::move(put.bytes);
+}
+
+void Solver::restore(const std::vector<std::uint8_t>& bytes) {
+  Impl& m = *impl_;
+  Reader in(bytes);
+  const bool ours = in.take<std::uint64_t>() == signature && in.take<int>() == m.settings.grid.nx &&
+                    in.take<int>() == m.settings.grid.ny && in.take<int>() == static_cast<int>(m.impulse.size());
+  if (!ours)
+    throw std::invalid_argument(
+        "The checkpoint belongs to another continuum (grid or obstacles differ); restore it with its own scene.");
+  m.time = in.take<double>();
+  m.steps = in.take<std::int64_t>();
+  m.cell_updates = in.take<std::int64_t>();
+  m.min_depth = in.take<double>();
+  m.min_depth_met = in.take<bool>();
+  for (BlockState& s : m.states) s.wet = false;
+  for (int j = 0; j < m.settings.grid.ny; ++j) {
+    for (int i = 0; i < m.settings.grid.nx; ++i) m.put(i, j, in.take<FlowState>());
+  }
+  const CellBox box = in.take<CellBox>();
+  box.empty() ? m.uncover() : m.cover(box);
+  for (SideName side : all_sides) {
+    for (int k = 0; k < m.zone.faces(side); ++k) {
+      m.zone.impose(side, k, in.take<FaceFlux>());
+      m.zone.set_passed(side, k, in.take<FaceFlux>());
+    }
+  }
+  for (auto& impulse : m.impulse) impulse = in.take<std::array<double, 2>>();
+  const int gauges = in.take<int>();
+  m.gauges.clear();
+  for (BlockFaces& f : m.faces) f.gauges.clear();
+  for (int g = 0; g < gauges; ++g) {
+    m.gauges.push_back(in.take<Impl::Gauge>());
+    m.lay_gauge(g);
+  }
+  m.budget = in.take<Budget>();
+  if (!in.done()) throw std::invalid_argument("The continuum's checkpoint is longer than its state; restore an earlier one.");
+}
+
+}  // namespace couloir

@@ -1,0 +1,274 @@
+#include "continuum/solver_impl.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "continuum/errors.hpp"
+
+namespace couloir {
+namespace {
+
+void check(const SolverSettings& s, const ReferenceSurface& surface) {
+  const auto require = [](bool good, const char* sentence) {
+    if (!good) throw std::invalid_argument(sentence);
+  };
+  require(s.gravity > 0, "The gravity must be positive; correct the scene.");
+  require(s.cfl > 0 && s.cfl <= 0.5,
+          "The CFL number must be above 0 and at most 0.5, where the depth stays positive; lower continuum.cfl.");
+  require(s.dry_depth > 0, "The dry depth must be positive; correct the settings.");
+  require(s.threads >= 1, "The continuum needs at least one thread; correct the number of threads.");
+  require(s.closure.tan_delta >= 0, "The basal friction must not be negative; correct the material.");
+  require(!(surface.curved() && s.sides[0].kind == Side::Kind::periodic),
+          "A surface with an arc cannot be periodic along the slope; choose other sides upstream and downstream.");
+}
+
+Parameters parameters_of(const SolverSettings& s) {
+  return {s.grid, s.closure, s.limiter, s.sides, s.dry_depth};
+}
+
+}  // namespace
+
+Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, const StepBed& bed)
+    : settings((check(s, surface), s)),
+      parameters(parameters_of(s)),
+      mesh(s.grid, s.block, surface, bed, s.gravity, s.closure.curvature),
+      ghosts(mesh, s.sides),
+      states(mesh.blocks().size()),
+      faces(mesh.blocks().size()),
+      tallies(mesh.blocks().size()),
+      scratch(s.threads),
+      inflow_block(mesh.blocks().size(), 0),
+      impulse(bed.obstacles.size()) {
+  ghosts.extend(mesh);
+  int largest = 0;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const Block& b = mesh.blocks()[k];
+    states[k].now.resize(b.size());
+    states[k].start.resize(b.size());
+    states[k].open.assign(b.size(), 1.0);
+    faces[k].steps = StepFaces(b);
+    largest = std::max(largest, b.size());
+    const bool at_side[] = {b.i0 == 0, b.i0 + b.nx == s.grid.nx, b.j0 == 0, b.j0 + b.ny == s.grid.ny};
+    for (int side = 0; side < 4; ++side) {
+      if (at_side[side] && s.sides[side].kind == Side::Kind::inflow && s.sides[side].depth > 0) inflow_block[k] = 1;
+    }
+  }
+  for (Scratch& w : scratch) w.resize(largest);
+}
+
+void Solver::Impl::step(double dt) {
+  if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
+  dt = std::min(dt, stable_dt());
+  zone.limit(dt, [&](int i, int j) { return get(i, j).h; });
+  choose_blocks(false);
+  run(StageName::predictor, dt);
+  choose_blocks(true);
+  fill_ghosts();
+  run(StageName::corrector, dt);
+  count_zone(dt);
+  time += dt;
+  ++steps;
+  rate.reset();
+}
+
+// Positivity asks for rate * dt <= cfl <= 1/2. The weight may speed up what is slow now: its part grows with dt.
+double Solver::Impl::stable_dt() {
+  refresh();
+  const double r = *rate;
+  const double a = mesh.steepest() / std::min(settings.grid.dx, settings.grid.dy);
+  if (!(r > 0) && a == 0) return std::numeric_limits<double>::max();
+  return 2 * settings.cfl / (r + std::sqrt(r * r + 4 * a * settings.cfl));
+}
+
+void Solver::Impl::refresh() {
+  if (rate) return;
+  choose_blocks(false);
+  fill_ghosts();
+  std::vector<double> rates(states.size(), 0.0);
+  const int n = static_cast<int>(chosen.size());
+#pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
+  for (int k = 0; k < n; ++k) {
+    const int b = chosen[k];
+    rates[b] = signal_rate(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()]);
+  }
+  double fastest = *std::max_element(rates.begin(), rates.end());
+  for (int side = 0; side < 4; ++side) {
+    const Side& s = settings.sides[side];
+    if (s.kind != Side::Kind::inflow) continue;
+    const double speed = s.velocity + std::sqrt(settings.gravity * s.depth);
+    fastest = std::max(fastest, speed / (side < 2 ? settings.grid.dx : settings.grid.dy));
+  }
+  check_finite();
+  rate = fastest;
+}
+
+void Solver::Impl::choose_blocks(bool corrector) {
+  const int bx = mesh.blocks_x(), by = mesh.blocks_y();
+  const bool wraps_x = settings.sides[0].kind == Side::Kind::periodic, wraps_y = settings.sides[2].kind == Side::Kind::periodic;
+  const auto near_wet = [&](int bi, int bj) {
+    for (int dj : {-1, 0, 1}) {
+      for (int di : {-1, 0, 1}) {
+        const int i = wraps_x ? (bi + di + bx) % bx : bi + di, j = wraps_y ? (bj + dj + by) % by : bj + dj;
+        if (i >= 0 && j >= 0 && i < bx && j < by && states[j * bx + i].wet) return true;
+      }
+    }
+    return false;
+  };
+  chosen.clear();
+  for (int k = 0; k < bx * by; ++k) {
+    const bool active = inflow_block[k] || !faces[k].rim.empty() || near_wet(k % bx, k / bx);
+    if (!corrector) {
+      states[k].stepped = active;
+    } else if (active && !states[k].stepped) {
+      states[k].start = states[k].now;  // the predictor left it as it was
+    }
+    if (active || (corrector && states[k].stepped)) chosen.push_back(k);
+  }
+}
+
+void Solver::Impl::fill_ghosts() {
+  const int n = static_cast<int>(chosen.size());
+#pragma omp parallel for num_threads(settings.threads) schedule(static)
+  for (int k = 0; k < n; ++k) ghosts.fill(states, chosen[k]);
+}
+
+void Solver::Impl::run(StageName stage, double dt) {
+  const int n = static_cast<int>(chosen.size());
+#pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
+  for (int k = 0; k < n; ++k) {
+    const int b = chosen[k];
+    tallies[b].reset(impulse.size(), gauges.size());
+    run_stage(parameters, mesh.blocks()[b], faces[b], zone, states[b], scratch[omp_get_thread_num()], stage, dt, tallies[b]);
+  }
+  collect_tallies();
+}
+
+void Solver::Impl::collect_tallies() {
+  bool finite = true;
+  for (int k : chosen) {
+    const Tally& t = tallies[k];
+    const Block& b = mesh.blocks()[k];
+    budget.add(t.budget);
+    for (std::size_t o = 0; o < impulse.size(); ++o) {
+      impulse[o][0] += t.impulse[o][0];
+      impulse[o][1] += t.impulse[o][1];
+    }
+    for (std::size_t g = 0; g < gauges.size(); ++g) gauges[g].volume += t.gauge[g];
+    min_depth = min_depth_met ? std::min(min_depth, t.min_depth) : t.min_depth;
+    min_depth_met = true;
+    cell_updates += static_cast<std::int64_t>(b.nx) * b.ny;
+    finite = finite && t.finite;
+  }
+  if (!finite) check_finite();
+}
+
+void Solver::Impl::count_zone(double dt) {
+  zone.count(dt);
+  for (SideName side : {SideName::upstream, SideName::downstream, SideName::left, SideName::right}) {
+    if (!zone.has_rim(side)) continue;
+    const bool low = side == SideName::upstream || side == SideName::left;
+    const bool across_x = side == SideName::upstream || side == SideName::downstream;
+    const double inward = (low ? -dt : dt) * (across_x ? settings.grid.dy : settings.grid.dx);
+    for (int k = 0; k < zone.faces(side); ++k) {
+      const FaceFlux& f = zone.actual(side, k);
+      budget.mass_zone += inward * f.mass;
+      budget.zone[0] += inward * f.mom_x;
+      budget.zone[1] += inward * f.mom_y;
+    }
+  }
+}
+
+void Solver::Impl::check_finite() const {
+  for (int j = 0; j < settings.grid.ny; ++j) {
+    for (int i = 0; i < settings.grid.nx; ++i) {
+      const FlowState q = get(i, j);
+      if (std::isfinite(q.h) && std::isfinite(q.hu) && std::isfinite(q.hv)) continue;
+      std::ostringstream text;
+      text << "The flow is not finite in cell (" << i << ", " << j << ") at x = " << settings.grid.x(i)
+           << " m, y = " << settings.grid.y(j) << " m at t = " << time << " s (step " << steps << "): h = " << q.h
+           << " m, hu = " << q.hu << " m2/s, hv = " << q.hv
+           << " m2/s; check what was released or handed in there, or lower continuum.cfl.";
+      throw NumericsError(text.str());
+    }
+  }
+}
+
+void Solver::Impl::cover(const CellBox& box) {
+  zone = CoveredZone(box, settings.grid);
+  mark_open();
+  lay_rim();
+  rate.reset();
+}
+
+void Solver::Impl::uncover() {
+  zone = CoveredZone();
+  mark_open();
+  lay_rim();
+  rate.reset();
+}
+
+void Solver::Impl::mark_open() {
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const Block& b = mesh.blocks()[k];
+    for (int j = 0; j < b.ny; ++j) {
+      for (int i = 0; i < b.nx; ++i) states[k].open[b.at(i, j)] = zone.box().contains(b.i0 + i, b.j0 + j) ? 0.0 : 1.0;
+    }
+  }
+  for (std::size_t k = 0; k < states.size(); ++k) ghosts.fill_open(states, static_cast<int>(k));
+}
+
+// Every block meets the rim faces between its own cells and their neighbours, also where the outer cell is another block's.
+void Solver::Impl::lay_rim() {
+  for (BlockFaces& f : faces) f.rim.clear();
+  const CellBox& box = zone.box();
+  for (std::size_t n = 0; n < faces.size(); ++n) {
+    const Block& b = mesh.blocks()[n];
+    const auto add = [&](SideName side, bool along_x, int gi, int gj, int k) {
+      const int i = gi - b.i0, j = gj - b.j0;
+      const bool met = i >= 0 && j >= 0 && i < b.nx + (along_x ? 1 : 0) && j < b.ny + (along_x ? 0 : 1);
+      if (met && zone.has_rim(side)) faces[n].rim.push_back({b.at(i, j), along_x, side, k});
+    };
+    for (int k = 0; k < box.j1 - box.j0; ++k) {
+      add(SideName::upstream, true, box.i0, box.j0 + k, k);
+      add(SideName::downstream, true, box.i1, box.j0 + k, k);
+    }
+    for (int k = 0; k < box.i1 - box.i0; ++k) {
+      add(SideName::left, false, box.i0 + k, box.j0, k);
+      add(SideName::right, false, box.i0 + k, box.j1, k);
+    }
+  }
+}
+
+// Each face belongs to the block of the cell above it, the last one to the last block.
+void Solver::Impl::lay_gauge(int id) {
+  const Gauge& g = gauges[id];
+  for (std::size_t n = 0; n < faces.size(); ++n) {
+    const Block& b = mesh.blocks()[n];
+    const bool last = b.i0 + b.nx == settings.grid.nx;
+    const int i = g.i - b.i0, j0 = std::max(g.j0 - b.j0, 0), j1 = std::min(g.j1 - b.j0, b.ny);
+    if (i >= 0 && i < b.nx + (last ? 1 : 0) && j0 < j1) faces[n].gauges.push_back({id, i, j0, j1});
+  }
+}
+
+void Solver::Impl::put(int i, int j, const FlowState& q) {
+  const CellPlace place = mesh.place(i, j);
+  BlockState& s = states[place.block];
+  s.now.h[place.cell] = q.h;
+  s.now.hu[place.cell] = q.h >= settings.dry_depth || std::isnan(q.h) ? q.hu : 0.0;
+  s.now.hv[place.cell] = q.h >= settings.dry_depth || std::isnan(q.h) ? q.hv : 0.0;
+  s.wet = s.wet || !(q.h < settings.dry_depth);
+  rate.reset();
+}
+
+FlowState Solver::Impl::get(int i, int j) const {
+  const CellPlace place = mesh.place(i, j);
+  const Fields& q = states[place.block].now;
+  return {q.h[place.cell], q.hu[place.cell], q.hv[place.cell]};
+}
+
+}  // namespace couloir

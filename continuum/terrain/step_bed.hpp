@@ -1,0 +1,21 @@
+#pragma once
+// The bed above the reference surface, by cell: a smooth elevation and solid steps (obstacles).
+
+#include <string>
+#include <vector>
+
+namespace couloir {
+
+// A block that stands on the bed with its axis along the surface normal.
+struct StepObstacle {
+  std::string name;
+  double x0, x1, y0, y1;  // [m] footprint in reference coordinates
+  double height;          // [m] above the bed
+};
+
+struct StepBed {
+  std::vector<double> elevation;        // z_b at cell centres [m], [j * nx + i]; empty: 0 everywhere
+  std::vector<StepObstacle> obstacles;  // a cell belongs to the obstacle whose footprint holds its centre
+};
+
+}  // namespace couloir

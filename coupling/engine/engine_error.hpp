@@ -1,0 +1,13 @@
+#pragma once
+// A grain engine failed, died or did not answer: exit code 4.
+#include <stdexcept>
+#include <string>
+
+namespace couloir {
+
+// what() is the whole sentence and ends with the engine's own words and the tail of its log.
+struct EngineError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace couloir

@@ -1,0 +1,134 @@
+#pragma once
+// The port to a discrete-element engine. One engine run = one object = one worker process.
+//
+//        start(setup)            advance(request) ... advance(request)            stop()
+//   idle ------------> running ----------------------------------------> running -------> stopped
+//                         | checkpoint(path): state on disk, running goes on with the bits that a restored run has
+//   idle --restore(setup, path)--> running
+//
+// Any call may throw EngineError (dead, silent for longer than the timeout, or the engine's own error); the object is then
+// stopped. All vectors are in the engine's Cartesian frame, SI units.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace couloir {
+
+using Vec = std::array<double, 3>;
+
+struct Triangle {
+  Vec a, b, c;
+};
+
+// A rigid surface: a mesh with one friction. Forces are summed over it.
+struct EngineSurface {
+  std::string name;
+  std::vector<Triangle> triangles;
+  double friction = 0.5;
+  double rolling_friction = 0.15;
+};
+
+// A rim face of the zone, through which grains enter in a driven layer and leave.
+//
+//          exit strip          driven layer |  zone
+//   . . . |<- strip ->|<------------------->|            distance along the inward normal from `origin`
+//        -strip_end  -strip_begin           0
+//
+// Grains inserted with segment >= 0 are driven: each segment's grains move as one raft (velocity below) until their centre has
+// passed the plane (distance >= 0); then they are free for good. In the strip, free grains move with the given exit velocity
+// where the segment's exit is active.
+struct DriveFace {
+  Vec origin{};              // a point of the plane: low end along `along`
+  Vec inward{};              // unit normal, into the zone
+  Vec along{};               // unit, along the face
+  double segment_width = 0;  // [m]
+  int segments = 0;
+  double strip_begin = 0, strip_end = 0;  // [m] distances outside of the plane, positive
+};
+
+struct EngineSetup {
+  double timestep = 0;              // [s]
+  Vec gravity{};                    // [m/s2]
+  Vec lo{}, hi{};                   // box [m]; a grain that leaves it is an error unless the axis is periodic
+  std::array<bool, 3> periodic{};
+  double density = 0;               // [kg/m3] of a grain
+  double max_radius = 0;            // [m]
+  double skin = 0;                  // [m] neighbour skin; 0: the engine's choice
+  double friction = 0.5, rolling_friction = 0.15, restitution = 0.5;  // between grains
+  double youngs_modulus = 5e6, poisson_ratio = 0.25;
+  std::vector<EngineSurface> surfaces;
+  std::vector<DriveFace> faces;
+  int ranks = 1;
+  double timeout = 120;             // [s]
+  std::string work_dir;             // meshes, logs; must exist
+};
+
+struct NewGrain {
+  std::int64_t id = 0;              // unique over the run, > 0, chosen by the caller
+  Vec position{}, velocity{};
+  double radius = 0;
+  int face = -1, segment = -1;      // >= 0: driven by that segment's raft
+};
+
+// One raft: the driven grains of one segment, moving as a rigid body:
+//   along the inward normal   m du/dt = sum of forces on its grains + push,   least <= u <= most
+//   along the face            u_along, imposed;      across both: 0
+// With no grains, or with less than `least_mass`, u = most.
+struct SegmentDrive {
+  double push = 0;                  // [N] by the flow outside
+  double most = 0, least = 0;       // [m/s]
+  double along = 0;                 // [m/s]
+  double least_mass = 0;            // [kg]
+  bool exit_active = false;
+  Vec exit_velocity{};              // [m/s]
+};
+
+struct AdvanceRequest {
+  std::int64_t steps = 0;
+  std::vector<NewGrain> insert;     // placed at the start of the first step
+  std::vector<std::int64_t> remove; // removed before it; an unknown id is an EngineError
+  std::vector<std::vector<SegmentDrive>> drives;  // [face][segment]; empty: as before
+  bool want_grains = true;          // send the grains back
+};
+
+struct SegmentReport {
+  double displacement = 0;          // [m] of the raft along the inward normal in this advance
+  double velocity = 0;              // [m/s] of the raft at its end
+  double force = 0;                 // [N] on the raft by its grains' contacts and gravity, mean along the inward normal
+  double mass = 0;                  // [kg] driven at its end
+};
+
+struct Grains {                     // sorted by id
+  std::vector<std::int64_t> id;
+  std::vector<double> x, y, z, vx, vy, vz, radius;  // [m], [m/s], [m]
+  std::vector<std::int8_t> driven;  // 1: in a driven layer
+  std::size_t size() const { return id.size(); }
+};
+
+struct Advanced {
+  std::int64_t step = 0;            // engine steps since start
+  Grains grains;
+  std::vector<Vec> surface_force;   // [N] by the grains on each surface, mean over the steps of this advance
+  std::vector<Vec> surface_force_last;  // [N] at the last step
+  std::vector<std::vector<SegmentReport>> segments;
+  Vec drive_impulse{};              // [N s] that driving (rafts and strips) gave to the grains, weight and contacts removed
+  double kinetic_energy = 0;        // [J]
+  double max_overlap = 0;           // [-] largest overlap over mean diameter of the pair, at the last step
+  double cpu = 0;                   // [s] of all ranks in this advance
+};
+
+class GrainEngine {
+ public:
+  virtual ~GrainEngine() = default;
+  virtual std::string name() const = 0;      // e.g. "LIGGGHTS 3.8.0"; valid after start
+  virtual void start(const EngineSetup&) = 0;
+  virtual Advanced advance(const AdvanceRequest&) = 0;
+  virtual void checkpoint(const std::string& path) = 0;
+  virtual void restore(const EngineSetup&, const std::string& path) = 0;
+  virtual void stop() = 0;                   // never throws
+  virtual int worker_pid() const = 0;        // of the worker's first rank; 0 when not running
+};
+
+}  // namespace couloir

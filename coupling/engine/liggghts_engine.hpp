@@ -1,0 +1,40 @@
+#pragma once
+// The grain engine LIGGGHTS behind the port, in a worker process of its own (coupling/workers).
+
+#include <memory>
+#include <string>
+
+#include "coupling/engine/grain_engine.hpp"
+
+namespace couloir {
+
+// Where the worker lies: the folder COULOIR_WORKER_DIR of the environment, else that of the running program.
+std::string default_worker_path();
+
+// See the port for the states. A stopped engine may be started again: it then is a new run in a new process.
+// Writes engine.log (the engine's own log), worker.log (all else that the worker prints) and surface_*.stl into the work folder.
+// start and restore must be called from a thread that lives as long as the run: the worker dies with it.
+class LiggghtsEngine final : public GrainEngine {
+ public:
+  explicit LiggghtsEngine(std::string worker_path = default_worker_path());
+  ~LiggghtsEngine() override;
+
+  std::string name() const override;
+  void start(const EngineSetup&) override;
+  Advanced advance(const AdvanceRequest&) override;
+  void checkpoint(const std::string& path) override;
+  void restore(const EngineSetup&, const std::string& path) override;
+  void stop() override;
+  int worker_pid() const override;
+
+ private:
+  struct Run;
+  void open(const EngineSetup&, const std::string& checkpoint);
+  std::string ask(const std::string& message);
+  [[noreturn]] void fail(const std::string& reason);
+
+  std::string worker_path_, name_;
+  std::unique_ptr<Run> run_;  // null when not running
+};
+
+}  // namespace couloir

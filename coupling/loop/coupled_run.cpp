@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "coupling/loop/flow_side.hpp"
+#include "coupling/loop/grain_side.hpp"
+#include "coupling/loop/mode_run.hpp"
+#include "coupling/loop/momentum_book.hpp"
+#include "coupling/loop/names.hpp"
+#include "coupling/loop/saved_state.hpp"
+#include "coupling/plan/build.hpp"
+#include "coupling/plan/plan.hpp"
+#include "coupling/plan/release.hpp"
+#include "coupling/transfer/zone.hpp"
+
+namespace couloir {
+namespace {
+
+class CoupledRun : public ModeRun {
+ public:
+  using ModeRun::ModeRun;
+
+ private:
+  RunStart start() override {
+    flow_ = std::make_unique<FlowSide>(scene_, surface_, options_.threads);
+    const Grid& grid = flow_->solver().grid();
+    double deepest = 0;
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i) deepest = std::max(deepest, flow_->solver().at(i, j).h);
+    grains_ = std::make_unique<GrainSide>(scene_, options_, surface_, deepest);
+    clock_ = std::make_unique<Clock>(grains_->timestep(), scene_.grains.window, scene_.duration);
+    place_zone(grid);
+
+    RunStart begin;
+    begin.scene = &scene_;
+    begin.surface = &surface_;
+    begin.grid = grid;
+    begin.bed = flow_->bed();
+    begin.obstacles = obstacle_names(scene_);
+    begin.effects = make_plan(scene_).effects;
+    begin.bulk_density = flow_->density();
+    return begin;
+  }
+
+  void place_zone(const Grid& grid) {
+    const ZoneBox z = scene_.grains.zone ? *scene_.grains.zone : automatic_zone(scene_);
+    const auto cell = [](double at, double origin, double size, int most) {
+      return std::clamp(int(std::lround((at - origin) / size)), 0, most);
+    };
+    settings_.box = {cell(z.x0, grid.x0, grid.dx, grid.nx), cell(z.x1, grid.x0, grid.dx, grid.nx),
+                     cell(z.y0, grid.y0, grid.dy, grid.ny), cell(z.y1, grid.y0, grid.dy, grid.ny)};
+    box_ = {grid.x0 + settings_.box.i0 * grid.dx, grid.x0 + settings_.box.i1 * grid.dx, grid.y0 + settings_.box.j0 * grid.dy,
+            grid.y0 + settings_.box.j1 * grid.dy};
+    settings_.rim.diameter = scene_.grains.diameter;
+    settings_.window = clock_->window();
+    settings_.timestep = clock_->step();
+    settings_.steps = clock_->steps_per_window();
+    settings_.gravity = scene_.gravity;
+    settings_.periodic_y = scene_.sides[2].kind == SideSpec::Kind::periodic && settings_.box.j0 == 0 && settings_.box.j1 == grid.ny;
+  }
+
+  // The flow is near when a cell within reach of the zone is wet: what it covers in two windows, and two cells.
+  bool flow_is_near() const {
+    Solver& solver = flow_->solver();
+    const Grid& grid = solver.grid();
+    const double reach = 2 * clock_->window() * solver.max_speed();
+    const int mx = 2 + int(reach / grid.dx), my = 2 + int(reach / grid.dy);
+    const CellBox& b = settings_.box;
+    for (int j = std::max(0, b.j0 - my); j < std::min(grid.ny, b.j1 + my); ++j)
+      for (int i = std::max(0, b.i0 - mx); i < std::min(grid.nx, b.i1 + mx); ++i)
+        if (solver.at(i, j).h > 1e-3 * scene_.grains.diameter) return true;
+    return false;
+  }
+
+  void start_engine(double time) {
+    zone_ = std::make_unique<Zone>(settings_, flow_->solver().grid(), surface_, grains_->table());
+    const double before = flow_->solver().volume();
+    first_ = zone_->take_over(flow_->solver());
+    grains_->start(engine_setup_zone(scene_, surface_, box_, zone_->rim(), grains_->table().grain_density(), options_.work_dir));
+    for (const NewGrain& g : first_)
+      if (!zone_->is_shadow(g.id)) grain_momentum_ += grains_->table().grain_mass(g.radius) * g.velocity[0];
+    flow_momentum_jump_ = true;
+    tell(time, fmt::format("grains start: the flow is within reach of the zone x {:.3f}..{:.3f} m, y {:.3f}..{:.3f} m; {} grains "
+                           "replace {:.4g} kg of flow in it",
+                           box_.x0, box_.x1, box_.y0, box_.y1, first_.size(),
+                           (before - flow_->solver().volume()) * flow_->density()));
+  }
+
+  void window(std::int64_t, WindowReport& w) override {
+    if (!zone_ && flow_is_near()) start_engine(w.time - w.length);
+    double mass_before = 0;
+    if (zone_) {
+      mass_before = grain_mass_;
+      zone_->impose(flow_->solver());
+    }
+    flow_->advance_to(w.time);
+    cpu_continuum_ = flow_->cpu();
+    if (zone_) advance_grains();
+    flow_->report(w);
+    if (flow_momentum_jump_) {  // what the zone covered has left the solver and is in the grains: no force did that
+      w.momentum.storage = 0;
+      w.momentum.gravity = w.momentum.bed = w.momentum.boundary = w.momentum.obstacles = 0;
+    }
+    w.momentum.faces = 0;  // both sides of the faces are in the ledger: what they do not give each other is the residual
+    for (int k = 0; k < int(scene_.obstacles.size()); ++k) {
+      const bool by_grains = zone_ && grains_->has_obstacle(k);
+      ObstacleForce force = flow_->force(k, w.length);
+      if (by_grains) {
+        const double depth = force.depth_on_top;
+        force = grains_->force(k);
+        force.depth_on_top = depth;
+        if (!flow_momentum_jump_) w.momentum.obstacles += grains_->impulse_x(scene_.obstacles[k].name);
+      }
+      w.obstacles.push_back(force);
+      w.overtopped += flow_->overtopped(k) + grains_->overtopped(k);
+    }
+    double momentum = flow_->momentum();
+    if (zone_) {
+      const Advanced& a = grains_->last();
+      grain_mass_ = zone_->grains_mass(a.grains);
+      const double grain_momentum = zone_->grains_momentum(a.grains), faces_momentum = zone_->faces_momentum();
+      w.mass.grains = grain_mass_;
+      w.mass.faces = zone_->faces_mass();
+      if (!flow_momentum_jump_) {
+        w.momentum.storage += grain_momentum + faces_momentum - grain_momentum_;
+        w.momentum.gravity += 0.5 * (mass_before + grain_mass_) * scene_.gravity * surface_.gravity_direction().x() * w.length;
+        w.momentum.bed += grains_->impulse_x("bed");
+      }
+      grain_momentum_ = grain_momentum + faces_momentum;
+      momentum += grain_momentum_;
+      w.grains = long(a.grains.size());
+      w.inserted = zone_->inserted();
+      w.returned = zone_->returned();
+      w.engine_steps = a.step;
+      w.max_overlap = a.max_overlap;
+      w.max_speed = std::max(w.max_speed, grains_->max_speed());
+    }
+    flow_momentum_jump_ = false;
+    book_.close(w.momentum, momentum);
+  }
+
+  void advance_grains() {
+    AdvanceRequest request = zone_->request(flow_->solver());
+    request.insert.insert(request.insert.begin(), first_.begin(), first_.end());
+    first_.clear();
+    grains_->advance(request);
+    cpu_engine_ = grains_->cpu();
+    zone_->absorb(grains_->last(), flow_->solver());
+  }
+
+  FrameView frame() override {
+    FrameView view = flow_->frame();
+    if (zone_) view.grains = &grains_->last().grains;
+    return view;
+  }
+
+  void save() override {
+    save_bytes(options_.work_dir, "continuum.state", flow_->solver().checkpoint());
+    if (zone_ && grains_->port().worker_pid() > 0) grains_->port().checkpoint(options_.work_dir + "/engine.state");
+  }
+
+  void finish(RunEnd& end) override {
+    end.peak_grains = grains_->peak();
+    end.particle_steps = grains_->particle_steps();
+    end.engine = grains_->engine();
+  }
+
+  std::unique_ptr<FlowSide> flow_;
+  std::unique_ptr<GrainSide> grains_;
+  std::unique_ptr<Zone> zone_;
+  ZoneSettings settings_;
+  ZoneBox box_;
+  std::vector<NewGrain> first_;
+  MomentumBook book_;
+  double grain_mass_ = 0, grain_momentum_ = 0;
+  bool flow_momentum_jump_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<ModeRun> coupled_run(const Scene& s, const RunOptions& o, const std::vector<Observer*>& w) {
+  return std::make_unique<CoupledRun>(s, o, w);
+}
+
+}  // namespace couloir

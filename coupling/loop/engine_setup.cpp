@@ -1,0 +1,155 @@
+#include "coupling/loop/engine_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace couloir {
+namespace {
+
+constexpr double open_margin = 15;  // [d] of bed beyond an open side
+constexpr double box_margin = 10;   // [d] of room beyond the bed
+
+double highest(const Scene& s) { return std::max({s.release.height, s.release.semi_z, 4 * s.grains.diameter}); }
+
+// Falling from the upper edge with the release's own height can throw a grain this high, and no higher.
+double throw_height(const Scene& s, const ReferenceSurface& surface, double x) {
+  const double drop = -surface.to_level(surface.to_space({x, 0, 0})).z() + highest(s);
+  const double start = s.release.velocity * s.release.velocity / (2 * s.gravity);
+  return drop + start;
+}
+
+EngineSetup material_setup(const Scene& s, const ReferenceSurface& surface, double density, const std::string& work_dir) {
+  EngineSetup setup;
+  const GrainMaterial& m = s.material.grain;
+  setup.timestep = engine_timestep(s, density);
+  const Eigen::Vector3d g = s.gravity * surface.gravity_direction();
+  setup.gravity = {g.x(), g.y(), g.z()};
+  setup.density = density;
+  setup.max_radius = 0.5 * s.grains.diameter * (1 + s.grains.spread);
+  setup.friction = m.friction;
+  setup.rolling_friction = m.rolling_friction;
+  setup.restitution = m.restitution;
+  setup.youngs_modulus = m.youngs_modulus;
+  setup.poisson_ratio = m.poisson_ratio;
+  setup.ranks = s.grains.ranks;
+  setup.timeout = s.grains.timeout;
+  setup.work_dir = work_dir;
+  return setup;
+}
+
+void add_bed(EngineSetup& setup, const Scene& s, const char* name, std::vector<Triangle> mesh) {
+  const GrainMaterial& m = s.material.grain;
+  setup.surfaces.push_back({name, std::move(mesh), m.base_friction, m.base_rolling_friction});
+}
+
+// Around the region's corners, along the surface, up to `height`.
+void set_box(EngineSetup& setup, const Scene& s, const ReferenceSurface& surface, const Patch& region, double height) {
+  const double inf = 1e300;
+  Vec lo{inf, inf, inf}, hi{-inf, -inf, -inf};
+  const int pieces = 64;
+  for (int i = 0; i <= pieces; ++i)
+    for (double n : {0.0, height}) {
+      const Eigen::Vector3d p = surface.to_space({region.x0 + (region.x1 - region.x0) * i / pieces, 0, n});
+      for (int q : {0, 2}) lo[q] = std::min(lo[q], p[q]), hi[q] = std::max(hi[q], p[q]);
+    }
+  const double margin = box_margin * s.grains.diameter;
+  for (int q : {0, 2}) lo[q] -= margin, hi[q] += margin;
+  const bool periodic = s.sides[2].kind == SideSpec::Kind::periodic;
+  lo[1] = region.y0 - (periodic ? 0 : margin);
+  hi[1] = region.y1 + (periodic ? 0 : margin);
+  setup.lo = lo;
+  setup.hi = hi;
+  setup.periodic = {false, periodic, false};
+}
+
+void add_obstacles_and_sides(EngineSetup& setup, const Scene& s, const ReferenceSurface& surface, const Patch& region,
+                             double height, double size) {
+  const GrainMaterial& m = s.material.grain;
+  for (const ObstacleSpec& o : s.obstacles)
+    if (o.x >= region.x0 && o.x + o.length <= region.x1 && o.y - o.width / 2 >= region.y0 && o.y + o.width / 2 <= region.y1)
+      setup.surfaces.push_back({o.name, cuboid_mesh(surface, o, size), m.wall_friction, m.base_rolling_friction});
+  const double half = s.terrain.width / 2, length = s.terrain.total_length();
+  const auto side = [&](const char* name, std::vector<Triangle> mesh) {
+    setup.surfaces.push_back({name, std::move(mesh), m.side_friction, m.base_rolling_friction});
+  };
+  using Kind = SideSpec::Kind;
+  if (s.sides[2].kind == Kind::wall && region.y0 <= -half) side("side_left", side_mesh(surface, region.x0, region.x1, -half, height, size));
+  if (s.sides[3].kind == Kind::wall && region.y1 >= half) side("side_right", side_mesh(surface, region.x0, region.x1, half, height, size));
+  if (s.sides[0].kind == Kind::wall && region.x0 <= 0) side("side_upstream", end_mesh(surface, 0, region.y0, region.y1, height, size));
+  if (s.sides[1].kind == Kind::wall && region.x1 >= length)
+    side("side_downstream", end_mesh(surface, length, region.y0, region.y1, height, size));
+}
+
+double mesh_size(const Scene& s) { return 5 * s.grains.diameter; }
+
+}  // namespace
+
+PackingSpec packing_spec(const Scene& s, double depth) {
+  const GrainMaterial& m = s.material.grain;
+  const double d = s.grains.diameter;
+  const bool periodic = s.sides[2].kind == SideSpec::Kind::periodic && s.terrain.width < 30 * d;
+  PackingSpec spec;
+  spec.diameter = d;
+  spec.spread = s.grains.spread;
+  spec.length = 20 * d;
+  spec.width = periodic ? s.terrain.width : 20 * d;
+  spec.depth = std::max(1.2 * depth, depth + 3 * d);
+  spec.seed = s.grains.seed;
+  spec.friction = m.friction;
+  spec.base_friction = m.base_friction;
+  spec.rolling_friction = m.rolling_friction;
+  spec.base_rolling_friction = m.base_rolling_friction;
+  spec.restitution = m.restitution;
+  spec.youngs_modulus = m.youngs_modulus;
+  spec.poisson_ratio = m.poisson_ratio;
+  spec.density = s.material.density / 0.57;
+  return spec;
+}
+
+double grain_density(const Scene& s, const Packing& packing) { return s.material.density / packing.solid_fraction; }
+
+double engine_timestep(const Scene& s, double density) {
+  if (s.grains.timestep > 0) return s.grains.timestep;
+  const double least_radius = 0.5 * s.grains.diameter * (1 - s.grains.spread);
+  return stable_timestep(least_radius, density, s.material.grain.youngs_modulus, s.material.grain.poisson_ratio);
+}
+
+EngineSetup engine_setup_whole(const Scene& s, const ReferenceSurface& surface, double density, const std::string& work_dir) {
+  EngineSetup setup = material_setup(s, surface, density, work_dir);
+  const double margin = open_margin * s.grains.diameter, half = s.terrain.width / 2, length = s.terrain.total_length();
+  const auto open = [&](int side) { return s.sides[side].kind == SideSpec::Kind::outflow || s.sides[side].kind == SideSpec::Kind::inflow; };
+  const Patch region{open(0) ? -margin : 0, length + (open(1) ? margin : 0), -half - (open(2) ? margin : 0), half + (open(3) ? margin : 0)};
+  const double height = throw_height(s, surface, length);
+  add_bed(setup, s, "bed", bed_mesh(surface, region, mesh_size(s)));
+  add_obstacles_and_sides(setup, s, surface, region, height, mesh_size(s));
+  set_box(setup, s, surface, region, height);
+  return setup;
+}
+
+EngineSetup engine_setup_zone(const Scene& s, const ReferenceSurface& surface, const ZoneBox& z, const Rim& rim, double density,
+                              const std::string& work_dir) {
+  EngineSetup setup = material_setup(s, surface, density, work_dir);
+  Patch region{z.x0, z.x1, z.y0, z.y1};
+  const double margin = rim.buffer() + open_margin * s.grains.diameter;
+  for (const RimFace& face : rim.faces()) {
+    if (face.side == SideName::upstream) region.x0 -= margin;
+    if (face.side == SideName::downstream) region.x1 += margin;
+    if (face.side == SideName::left) region.y0 -= margin;
+    if (face.side == SideName::right) region.y1 += margin;
+    setup.faces.push_back(face.drive);
+  }
+  const double size = mesh_size(s);
+  add_bed(setup, s, "bed", bed_mesh(surface, {z.x0, z.x1, z.y0, z.y1}, size));
+  std::vector<Triangle> around;
+  for (const Patch& p : {Patch{region.x0, z.x0, region.y0, region.y1}, Patch{z.x1, region.x1, region.y0, region.y1},
+                         Patch{z.x0, z.x1, region.y0, z.y0}, Patch{z.x0, z.x1, z.y1, region.y1}})
+    if (p.x1 > p.x0 && p.y1 > p.y0)
+      for (const Triangle& t : bed_mesh(surface, p, size)) around.push_back(t);
+  if (!around.empty()) add_bed(setup, s, "bed_rim", std::move(around));
+  const double height = throw_height(s, surface, z.x1);
+  add_obstacles_and_sides(setup, s, surface, region, height, size);
+  set_box(setup, s, surface, region, height);
+  return setup;
+}
+
+}  // namespace couloir

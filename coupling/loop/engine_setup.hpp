@@ -1,0 +1,28 @@
+#pragma once
+// A scene's grains -> the engine's set-up: material, meshes, box, faces.
+
+#include "continuum/terrain/reference_surface.hpp"
+#include "coupling/engine/packing.hpp"
+#include "coupling/loop/meshes.hpp"
+#include "coupling/scene/scene.hpp"
+#include "coupling/transfer/rim.hpp"
+
+namespace couloir {
+
+// The packing from which this scene's flows of grains are cut; deep enough for `depth` [m].
+PackingSpec packing_spec(const Scene&, double depth);
+
+// rho_bulk / solid fraction, so that both models weigh the same [kg/m3].
+double grain_density(const Scene&, const Packing&);
+
+// [s] grains.timestep, or the stable share of the Rayleigh time.
+double engine_timestep(const Scene&, double grain_density);
+
+// Whole chute: every side of the domain that is open is extended, so that grains pass it before they are taken out.
+EngineSetup engine_setup_whole(const Scene&, const ReferenceSurface&, double grain_density, const std::string& work_dir);
+
+// A zone with its rim: the bed inside is the surface "bed", that under layers and buffers "bed_rim".
+EngineSetup engine_setup_zone(const Scene&, const ReferenceSurface&, const ZoneBox&, const Rim&, double grain_density,
+                              const std::string& work_dir);
+
+}  // namespace couloir

@@ -1,0 +1,100 @@
+#include "coupling/loop/flow_side.hpp"
+
+#include <cmath>
+
+#include "coupling/loop/mode_run.hpp"
+#include "coupling/plan/build.hpp"
+#include "coupling/plan/release.hpp"
+
+namespace couloir {
+
+FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int threads) : density_(scene.material.density) {
+  SolverSettings settings = solver_settings(scene);
+  settings.threads = threads;
+  const StepBed bed = step_bed(scene);
+  solver_ = std::make_unique<Solver>(settings, surface, bed);
+  const Grid& grid = solver_->grid();
+
+  bed_.assign(std::size_t(grid.nx) * grid.ny, 0.0);
+  if (!bed.elevation.empty()) bed_ = bed.elevation;
+  for (const StepObstacle& o : bed.obstacles) {
+    CellBox box{grid.nx, 0, grid.ny, 0};
+    for (int j = 0; j < grid.ny; ++j)
+      for (int i = 0; i < grid.nx; ++i)
+        if (grid.x(i) > o.x0 && grid.x(i) < o.x1 && grid.y(j) > o.y0 && grid.y(j) < o.y1) {
+          bed_[std::size_t(j) * grid.nx + i] += o.height;
+          box = {std::min(box.i0, i), std::max(box.i1, i + 1), std::min(box.j0, j), std::max(box.j1, j + 1)};
+        }
+    footprint_.push_back(box);
+    gauge_.push_back(solver_->add_gauge((box.i0 + box.i1 + 1) / 2, box.j0, box.j1));
+    impulse_.push_back({0, 0});
+  }
+
+  solver_->set([&](double x, double y) { return release_at(scene, x, y); });
+  // The cells' sampling of the release is off by its edge; the depth is scaled so that the mass is exact.
+  const double wanted = release_volume(scene), sampled = solver_->volume();
+  if (wanted > 0 && sampled > 0 && scene.release.kind != ReleaseSpec::Kind::uniform) {
+    const double scale = wanted / sampled;
+    solver_->set([&](double x, double y) {
+      FlowState q = release_at(scene, x, y);
+      return FlowState{scale * q.h, scale * q.hu, scale * q.hv};
+    });
+  }
+  initial_mass_ = density_ * solver_->volume();
+  momentum_before_ = momentum();
+}
+
+void FlowSide::advance_to(double t) {
+  const double before = cpu_now();
+  solver_->advance_to(t);
+  cpu_ += cpu_now() - before;
+}
+
+double FlowSide::momentum() const { return density_ * solver_->momentum()[0]; }
+
+void FlowSide::report(WindowReport& w) {
+  const Budget& b = solver_->budget();
+  boundary_mass_ += density_ * b.mass_boundary;
+  w.mass.initial += initial_mass_;
+  w.mass.continuum = density_ * solver_->volume();
+  w.mass.left_domain += std::max(0.0, -boundary_mass_);
+  w.mass.entered += std::max(0.0, boundary_mass_);
+  w.momentum.gravity += density_ * b.gravity[0];
+  w.momentum.bed += density_ * (b.friction[0] + b.cutoff[0]);
+  w.momentum.boundary += density_ * b.boundary[0];
+  w.momentum.obstacles += density_ * b.obstacles[0];
+  w.momentum.faces += density_ * b.zone[0];
+  const double now = momentum();
+  w.momentum.storage += now - momentum_before_;
+  momentum_before_ = now;
+  solver_->reset_budget();
+  w.solver_steps = solver_->steps();
+  w.cell_updates = solver_->cell_updates();
+  w.min_depth = solver_->min_depth();
+  w.max_speed = std::max(w.max_speed, solver_->max_speed());
+}
+
+ObstacleForce FlowSide::force(int id, double window) {
+  ObstacleForce out;
+  const auto impulse = solver_->obstacle_impulse(id);
+  for (int q = 0; q < 2; ++q) out.force[q] = density_ * (impulse[q] - impulse_[id][q]) / window;
+  impulse_[id] = impulse;
+  const CellBox& box = footprint_[id];
+  for (int j = box.j0; j < box.j1; ++j)
+    for (int i = box.i0; i < box.i1; ++i) out.depth_on_top = std::max(out.depth_on_top, solver_->at(i, j).h);
+  return out;
+}
+
+double FlowSide::overtopped(int id) const { return density_ * solver_->gauge(gauge_[id]); }
+
+FrameView FlowSide::frame() {
+  solver_->gather(h_, hu_, hv_);
+  FrameView view;
+  view.h = &h_;
+  view.hu = &hu_;
+  view.hv = &hv_;
+  view.zone = solver_->covered();
+  return view;
+}
+
+}  // namespace couloir

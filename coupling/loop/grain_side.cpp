@@ -1,0 +1,70 @@
+#include "coupling/loop/grain_side.hpp"
+
+#include <cmath>
+
+#include "coupling/engine/liggghts_engine.hpp"
+
+namespace couloir {
+
+GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const ReferenceSurface& surface, double depth)
+    : scene_(scene), options_(options), surface_(surface) {
+  LiggghtsEngine settling(options.worker);
+  const Packing packing = settled_packing(packing_spec(scene, depth), settling, options.packings, options.work_dir);
+  table_ = std::make_unique<PackingTable>(packing, grain_density(scene, packing));
+  timestep_ = engine_timestep(scene, table_->grain_density());
+  surface_of_obstacle_.assign(scene.obstacles.size(), -1);
+  for (const ObstacleSpec& o : scene.obstacles)
+    overtopping_.emplace_back(o.x + 0.5 * o.length, o.y - 0.5 * o.width, o.y + 0.5 * o.width, table_->grain_density());
+}
+
+GrainSide::~GrainSide() {
+  if (engine_) engine_->stop();
+}
+
+void GrainSide::start(const EngineSetup& setup) {
+  setup_ = setup;
+  for (int k = 0; k < int(scene_.obstacles.size()); ++k)
+    for (int s = 0; s < int(setup.surfaces.size()); ++s)
+      if (setup.surfaces[s].name == scene_.obstacles[k].name) surface_of_obstacle_[k] = s;
+  engine_ = std::make_unique<LiggghtsEngine>(options_.worker);
+  engine_->start(setup);
+  engine_name_ = engine_->name();
+  running_ = true;
+  options_.on_engine(*engine_);
+}
+
+const Advanced& GrainSide::advance(const AdvanceRequest& request) {
+  last_ = engine_->advance(request);
+  length_ = double(request.steps) * timestep_;
+  cpu_ += last_.cpu;
+  peak_ = std::max(peak_, long(last_.grains.size()));
+  particle_steps_ += request.steps * std::int64_t(last_.grains.size());
+  for (Overtopping& o : overtopping_) o.look(last_.grains, surface_);
+  return last_;
+}
+
+ObstacleForce GrainSide::force(int k) const {
+  ObstacleForce out;
+  if (!running_ || surface_of_obstacle_[k] < 0 || last_.surface_force.empty()) return out;
+  const Vec& f = last_.surface_force[surface_of_obstacle_[k]];
+  const double x = scene_.obstacles[k].x;
+  const Eigen::Vector3d force(f[0], f[1], f[2]);
+  out.force = {force.dot(surface_.tangent(x)), f[1], force.dot(surface_.normal(x))};
+  return out;
+}
+
+double GrainSide::impulse_x(const std::string& surface) const {
+  for (std::size_t s = 0; s < setup_.surfaces.size() && s < last_.surface_force.size(); ++s)
+    if (setup_.surfaces[s].name == surface) return -last_.surface_force[s][0] * length_;
+  return 0;
+}
+
+double GrainSide::max_speed() const {
+  const Grains& g = last_.grains;
+  double most = 0;
+  for (std::size_t i = 0; i < g.size(); ++i)
+    most = std::max(most, g.vx[i] * g.vx[i] + g.vy[i] * g.vy[i] + g.vz[i] * g.vz[i]);
+  return std::sqrt(most);
+}
+
+}  // namespace couloir

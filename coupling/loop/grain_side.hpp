@@ -1,0 +1,57 @@
+#pragma once
+// The engine's share of a run: stock, worker, forces by obstacle, counters.
+
+#include <memory>
+
+#include "coupling/loop/engine_setup.hpp"
+#include "coupling/loop/observer.hpp"
+#include "coupling/loop/run.hpp"
+#include "coupling/transfer/overtopping.hpp"
+#include "coupling/transfer/packing_table.hpp"
+
+namespace couloir {
+
+class GrainSide {
+ public:
+  // Settles or fetches the packing for flows up to `depth` [m] deep.
+  GrainSide(const Scene&, const RunOptions&, const ReferenceSurface&, double depth);
+  ~GrainSide();
+
+  const PackingTable& table() const { return *table_; }
+  double timestep() const { return timestep_; }            // [s]
+
+  void start(const EngineSetup&);
+  bool running() const { return running_; }
+  const Advanced& advance(const AdvanceRequest&);
+  const Advanced& last() const { return last_; }
+  std::string engine() const { return engine_name_; }
+  GrainEngine& port() { return *engine_; }
+
+  ObstacleForce force(int obstacle) const;                 // of the last advance; zero where the obstacle has no mesh
+  bool has_obstacle(int obstacle) const { return surface_of_obstacle_[obstacle] >= 0; }
+  double overtopped(int obstacle) const { return overtopping_[obstacle].mass(); }
+  double impulse_x(const std::string& surface) const;      // [N s] on the grains in the last advance, by one surface
+  double max_speed() const;                                // [m/s]
+
+  long peak() const { return peak_; }
+  std::int64_t particle_steps() const { return particle_steps_; }
+  double cpu() const { return cpu_; }                      // [s] of the engine
+
+ private:
+  const Scene& scene_;
+  const RunOptions& options_;
+  const ReferenceSurface& surface_;
+  std::unique_ptr<GrainEngine> engine_;
+  std::unique_ptr<PackingTable> table_;
+  EngineSetup setup_;
+  std::vector<int> surface_of_obstacle_;
+  std::vector<Overtopping> overtopping_;
+  Advanced last_;
+  std::string engine_name_;
+  bool running_ = false;
+  double timestep_ = 0, cpu_ = 0, length_ = 0;
+  long peak_ = 0;
+  std::int64_t particle_steps_ = 0;
+};
+
+}  // namespace couloir

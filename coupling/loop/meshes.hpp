@@ -1,0 +1,24 @@
+#pragma once
+// Triangles of the bed, of obstacles and of side walls in the tilted frame, from pieces of the reference surface.
+
+#include <vector>
+
+#include "continuum/terrain/reference_surface.hpp"
+#include "coupling/engine/grain_engine.hpp"
+#include "coupling/scene/scene.hpp"
+
+namespace couloir {
+
+struct Patch {
+  double x0, x1, y0, y1;  // [m] reference coordinates
+};
+
+// The bed under a patch; edges at most `size` [m] long.
+std::vector<Triangle> bed_mesh(const ReferenceSurface&, const Patch&, double size);
+// Five faces of a block that stands on the bed, axis along the normal at the middle of its footprint.
+std::vector<Triangle> cuboid_mesh(const ReferenceSurface&, const ObstacleSpec&, double size);
+// A wall that stands on the bed along y = const from x0 to x1, or along x = const from y0 to y1; `height` [m].
+std::vector<Triangle> side_mesh(const ReferenceSurface&, double x0, double x1, double y, double height, double size);
+std::vector<Triangle> end_mesh(const ReferenceSurface&, double x, double y0, double y1, double height, double size);
+
+}  // namespace couloir

@@ -1,0 +1,96 @@
+#include "coupling/loop/run.hpp"
+
+#include <ctime>
+
+#include <chrono>
+
+#include "coupling/loop/mode_run.hpp"
+#include "coupling/plan/build.hpp"
+
+namespace couloir {
+namespace {
+
+double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+}  // namespace
+
+double cpu_now() {
+  timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+ModeRun::ModeRun(const Scene& scene, const RunOptions& options, const std::vector<Observer*>& observers)
+    : scene_(scene), options_(options), surface_(reference_surface(scene)), observers_(observers) {}
+
+void ModeRun::tell(const Event& event) const {
+  for (Observer* o : observers_) o->on_event(event);
+}
+
+void ModeRun::end(RunEnd& end, double wall_start, double cpu_start) {
+  finish(end);
+  end.wall = wall_now() - wall_start;
+  end.cpu_continuum = cpu_continuum_;
+  end.cpu_engine = cpu_engine_;
+  end.cpu_coupling = cpu_now() - cpu_start - cpu_continuum_;
+  end.cpu = cpu_continuum_ + cpu_engine_ + end.cpu_coupling;
+  for (Observer* o : observers_) o->on_finish(end);
+}
+
+RunEnd ModeRun::go() {
+  const double wall_start = wall_now(), cpu_start = cpu_now();
+  RunEnd result;
+  bool started = false;
+  try {
+    const RunStart begin = start();
+    for (Observer* o : observers_) o->on_start(begin);
+    started = true;
+    Schedule frames(scene_.record.frames);
+    long frame_index = 0;
+    const auto show = [&](double time) {
+      FrameView view = frame();
+      view.time = time;
+      view.index = frame_index++;
+      for (Observer* o : observers_) o->on_frame(view);
+    };
+    if (frames.due(0)) show(0);
+
+    result.status = "done";
+    for (std::int64_t k = 1; k <= clock_->windows(); ++k) {
+      WindowReport report;
+      report.index = long(k);
+      report.time = clock_->time(k);
+      report.length = clock_->window();
+      window(k, report);
+      for (Observer* o : observers_) o->on_window(report);
+      if (frames.due(report.time)) show(report.time);
+      if (options_.interrupted()) {
+        result.status = "interrupted";
+        result.reason = "stopped by the user at t = " + std::to_string(report.time) + " s";
+        save();
+        break;
+      }
+    }
+    end(result, wall_start, cpu_start);
+    return result;
+  } catch (const std::exception& error) {
+    if (started) {
+      result.status = "failed";
+      result.reason = error.what();
+      try {
+        save();
+        end(result, wall_start, cpu_start);
+      } catch (const std::exception&) {
+        // The first error is the one to tell; what follows from it (a full disk, say) adds nothing.
+      }
+    }
+    throw;
+  }
+}
+
+RunEnd run_scene(const Scene& scene, const RunOptions& options, const std::vector<Observer*>& observers) {
+  const auto make = scene.mode == Mode::continuum ? continuum_run : scene.mode == Mode::grains ? grains_run : coupled_run;
+  return make(scene, options, observers)->go();
+}
+
+}  // namespace couloir

@@ -1,0 +1,126 @@
+#include "coupling/plan/build.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "coupling/engine/packing.hpp"
+
+namespace couloir {
+namespace {
+
+// With 40 significant bits the products (j + 1/2) dy are exact, so that rows mirrored about y = 0 have mirrored centres to the
+// bit. Changes the width by less than 1e-12 of it.
+double short_mantissa(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  return std::ldexp(std::nearbyint(std::ldexp(mantissa, 40)), exponent - 40);
+}
+
+Limiter limiter_of(const std::string& word) {
+  if (word == "van_leer") return Limiter::van_leer;
+  if (word == "mc") return Limiter::mc;
+  if (word == "superbee") return Limiter::superbee;
+  return Limiter::minmod;
+}
+
+Side side_of(const SideSpec& spec) {
+  Side side;
+  switch (spec.kind) {
+    case SideSpec::Kind::wall:
+      side.kind = Side::Kind::wall;
+      break;
+    case SideSpec::Kind::outflow:
+      side.kind = Side::Kind::outflow;
+      break;
+    case SideSpec::Kind::periodic:
+      side.kind = Side::Kind::periodic;
+      break;
+    case SideSpec::Kind::inflow:
+      side.kind = Side::Kind::inflow;
+      break;
+  }
+  side.depth = spec.depth;
+  side.velocity = spec.velocity;
+  return side;
+}
+
+}  // namespace
+
+Grid grid_of(const Scene& scene) {
+  const double length = scene.terrain.total_length(), width = scene.terrain.width;
+  const double cell = scene.continuum.cell > 0 ? scene.continuum.cell : 2 * scene.grains.diameter;
+  Grid grid;
+  grid.nx = std::max(4, static_cast<int>(std::lround(length / cell)));
+  grid.ny = 2 * std::max(1, static_cast<int>(std::lround(width / (2 * cell))));
+  grid.dx = length / grid.nx;
+  grid.dy = short_mantissa(width / grid.ny);
+  grid.x0 = 0;
+  grid.y0 = -(grid.ny / 2) * grid.dy;
+  return grid;
+}
+
+Closure closure_of(const Scene& scene) {
+  Closure closure;
+  closure.earth_pressure = scene.continuum.closure == "hydraulic" || scene.mode == Mode::grains
+                               ? EarthPressure::hydraulic()
+                               : EarthPressure::active_passive(scene.material.phi, scene.material.delta);
+  closure.tan_delta = std::tan(scene.material.delta);
+  const bool curved = scene.terrain.kind == TerrainSpec::Kind::chute && scene.terrain.arc > 0;
+  closure.curvature = curved && scene.continuum.curvature != "off";
+  return closure;
+}
+
+SolverSettings solver_settings(const Scene& scene) {
+  SolverSettings settings;
+  settings.grid = grid_of(scene);
+  settings.gravity = scene.gravity;
+  settings.closure = closure_of(scene);
+  settings.limiter = limiter_of(scene.continuum.limiter);
+  std::ranges::transform(scene.sides, settings.sides.begin(), side_of);
+  settings.cfl = scene.continuum.cfl;
+  return settings;
+}
+
+StepBed step_bed(const Scene& scene) {
+  StepBed bed;
+  for (const ObstacleSpec& o : scene.obstacles) {
+    bed.obstacles.push_back({o.name, o.x, o.x + o.length, o.y - o.width / 2, o.y + o.width / 2, o.height});
+  }
+  return bed;
+}
+
+ReferenceSurface reference_surface(const Scene& scene) {
+  const TerrainSpec& t = scene.terrain;
+  switch (t.kind) {
+    case TerrainSpec::Kind::flat:
+      return ReferenceSurface::flat(t.length);
+    case TerrainSpec::Kind::incline:
+      return ReferenceSurface::incline(t.angle, t.length);
+    case TerrainSpec::Kind::chute:
+      break;
+  }
+  return ReferenceSurface::chute(t.angle, t.slope, t.arc, t.runout);
+}
+
+CellBox cells_in(const ZoneBox& box, const Grid& grid) {
+  const auto first = [](double edge, double origin, double step, int n) {
+    return std::clamp(static_cast<int>(std::ceil((edge - origin) / step - 0.5 - 1e-9)), 0, n);
+  };
+  return {first(box.x0, grid.x0, grid.dx, grid.nx), first(box.x1, grid.x0, grid.dx, grid.nx),
+          first(box.y0, grid.y0, grid.dy, grid.ny), first(box.y1, grid.y0, grid.dy, grid.ny)};
+}
+
+double engine_timestep(const Scene& scene) {
+  if (scene.grains.timestep > 0) return scene.grains.timestep;
+  const GrainMaterial& grain = scene.material.grain;
+  const double radius = scene.grains.diameter / 2 * (1 - scene.grains.spread);
+  return stable_timestep(radius, scene.material.density / expected_solid_fraction, grain.youngs_modulus, grain.poisson_ratio);
+}
+
+double mean_grain_volume(const GrainSpec& grains) {
+  const double d = grains.diameter, s = grains.spread;
+  return std::numbers::pi / 6 * d * d * d * (1 + s * s);
+}
+
+}  // namespace couloir

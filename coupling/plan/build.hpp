@@ -1,0 +1,30 @@
+#pragma once
+// Scene -> what the continuum and the engine are made of.
+
+#include "continuum/solver.hpp"
+#include "coupling/scene/scene.hpp"
+
+namespace couloir {
+
+// Cells of nearly the asked size that fill the domain; x from 0, y symmetric about 0 with an even number of rows. A scene in mode
+// grains may have no cell size: then 2 d, for its records.
+Grid grid_of(const Scene&);
+
+SolverSettings solver_settings(const Scene&);
+StepBed step_bed(const Scene&);
+ReferenceSurface reference_surface(const Scene&);
+Closure closure_of(const Scene&);  // mode grains: hydraulic, whatever the angles
+
+// The cells whose centres lie in the box.
+CellBox cells_in(const ZoneBox&, const Grid&);
+
+// Of a settled block on a flat base; measured values lie at .563-.579. The real packing's own value replaces it in a run.
+inline constexpr double expected_solid_fraction = 0.57;
+
+// [s] the scene's, or where it gives none the engine's stable step for its smallest grain.
+double engine_timestep(const Scene&);
+
+// [m3] mean volume of a grain: radii uniform within +-spread of the mean.
+double mean_grain_volume(const GrainSpec&);
+
+}  // namespace couloir

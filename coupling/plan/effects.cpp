@@ -1,0 +1,155 @@
+#include "coupling/plan/effects.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "coupling/plan/build.hpp"
+#include "coupling/plan/flow_estimate.hpp"
+#include "coupling/scene/units.hpp"
+
+namespace couloir {
+namespace {
+
+std::string ang(double value) {
+  return short_quantity(value, Dimension::angle);
+}
+std::string len(double value) {
+  return short_quantity(value, Dimension::length);
+}
+
+struct Listing {
+  const Scene& s;
+  bool continuum = s.mode != Mode::grains;
+  bool grains = s.mode != Mode::continuum;
+  bool coupled = s.mode == Mode::coupled;
+  bool flat = s.terrain.kind == TerrainSpec::Kind::flat || s.terrain.angle == 0;
+  bool arc = s.terrain.kind == TerrainSpec::Kind::chute && s.terrain.arc > 0;
+  std::string mode = fmt::format("mode is {}", to_string(s.mode));
+
+  Effect depth_averaged_flow() const {
+    return {"depth_averaged_flow", continuum, continuum ? mode : mode + ": grains carry the whole flow"};
+  }
+
+  Effect gravity_along_slope() const {
+    return {"gravity_along_slope", !flat,
+            flat ? "the terrain is level" : fmt::format("the terrain is inclined by {}", ang(s.terrain.angle))};
+  }
+
+  Effect earth_pressure() const {
+    if (!continuum) return {"earth_pressure", false, mode + ": stresses come from the contacts"};
+    if (s.continuum.closure == "hydraulic") return {"earth_pressure", false, "closure is hydraulic: K = 1"};
+    const EarthPressure k = closure_of(s).earth_pressure;
+    return {"earth_pressure", true,
+            fmt::format("closure is active_passive: phi {} and delta {} give K_act {:.5f}, K_pas {:.5f}", ang(s.material.phi),
+                        ang(s.material.delta), k.x_active, k.x_passive)};
+  }
+
+  Effect basal_friction() const {
+    if (!continuum) return {"basal_friction", false, mode + ": the bed brakes through the grains' own contacts"};
+    const bool on = s.material.delta > 0;
+    return {"basal_friction", on,
+            on ? fmt::format("Coulomb, delta {}", ang(s.material.delta)) : "delta is 0: a frictionless bed"};
+  }
+
+  Effect curvature() const {
+    if (!continuum) return {"curvature", false, mode + ": the grains move on the curved bed itself"};
+    if (!arc) return {"curvature", false, "the terrain has no arc: kappa is 0 everywhere"};
+    if (s.continuum.curvature == "off")
+      return {"curvature", false, "continuum.curvature is off, although the terrain has an arc"};
+    return {"curvature", true,
+            fmt::format("the terrain has an arc of {} with radius {}", len(s.terrain.arc), len(s.terrain.arc / s.terrain.angle))};
+  }
+
+  Effect elevation() const { return {"elevation", false, "the scene has no bed elevation besides its obstacles"}; }
+
+  Effect obstacles() const {
+    if (s.obstacles.empty()) return {"obstacles", false, "the scene has none"};
+    std::vector<std::string> names;
+    for (const ObstacleSpec& o : s.obstacles) names.push_back(fmt::format("{} ({} high)", o.name, len(o.height)));
+    return {"obstacles", true, fmt::format("{}: {}", continuum ? "steps of the bed" : "solid bodies", fmt::join(names, ", "))};
+  }
+
+  Effect inflow() const {
+    const char* sides[] = {"upstream", "downstream", "left", "right"};
+    for (int side = 0; side < 4; ++side) {
+      if (s.sides[side].kind == SideSpec::Kind::inflow) {
+        return {"inflow", true,
+                fmt::format("{}: {} deep at {:.6g} m/s", sides[side], len(s.sides[side].depth), s.sides[side].velocity)};
+      }
+    }
+    return {"inflow", false, "no side of the domain is an inflow"};
+  }
+
+  Effect periodic() const {
+    const bool along = s.sides[0].kind == SideSpec::Kind::periodic, across = s.sides[2].kind == SideSpec::Kind::periodic;
+    const char* which = along && across ? "all sides are periodic"
+                        : along         ? "upstream and downstream are periodic"
+                                        : "left and right are periodic";
+    return {"periodic_sides", along || across, along || across ? which : "no sides are periodic"};
+  }
+
+  Effect grain_engine() const {
+    if (!grains) return {"grain_engine", false, mode + ": no engine is started"};
+    return {"grain_engine", true,
+            fmt::format("{}: {}, grains of {}, {} rank{}", mode, s.grains.engine, len(s.grains.diameter), s.grains.ranks,
+                        s.grains.ranks == 1 ? "" : "s")};
+  }
+
+  Effect rolling_friction() const {
+    const GrainMaterial& g = s.material.grain;
+    if (!grains) return {"rolling_friction", false, mode + ": no grains"};
+    const bool on = g.rolling_friction > 0 || g.base_rolling_friction > 0;
+    return {"rolling_friction", on,
+            fmt::format("{:g} between grains, {:g} on surfaces", g.rolling_friction, g.base_rolling_friction)};
+  }
+
+  Effect side_friction() const {
+    if (!grains) return {"side_friction", false, mode + ": no grains"};
+    const bool wall = s.sides[2].kind == SideSpec::Kind::wall || s.sides[3].kind == SideSpec::Kind::wall;
+    if (!wall) return {"side_friction", false, "neither the left nor the right side is a wall"};
+    const double mu = s.material.grain.side_friction;
+    return {"side_friction", mu > 0, fmt::format("grains meet the side walls with friction {:g}", mu)};
+  }
+
+  Effect coupling() const {
+    if (!coupled) return {"coupling", false, mode + ": one model alone"};
+    return {"coupling", true,
+            s.grains.zone ? "mode is coupled, with the zone that the scene gives"
+                          : "mode is coupled, with an automatic zone around the obstacles"};
+  }
+
+  Effect airborne() const {
+    if (!coupled)
+      return {"airborne", false, grains ? mode + ": grains fly as grains" : mode + ": a depth-averaged flow has no flight"};
+    if (s.obstacles.empty()) return {"airborne", false, "no obstacle throws grains above the flow"};
+    double least = 0;
+    const ObstacleSpec* lowest = nullptr;
+    for (const ObstacleSpec& o : s.obstacles) {
+      const double spare = run_up(o) - o.height;
+      if (!lowest || spare > least) least = spare, lowest = &o;
+    }
+    return {"airborne", true,
+            fmt::format("grains may leave the zone above the flow: the energy line reaches {} at {}, which is {} high",
+                        fmt::format("{:.3g} mm", run_up(*lowest) * 1e3), lowest->name, len(lowest->height))};
+  }
+
+  // Depth and velocity head of the flow expected at an obstacle.
+  double run_up(const ObstacleSpec& o) const {
+    const FlowEstimate flow = flow_estimate_at(s, o.x);
+    return flow.depth + flow.velocity * flow.velocity / (2 * s.gravity * std::cos(reference_surface(s).angle(o.x)));
+  }
+};
+
+}  // namespace
+
+std::vector<Effect> effects_of(const Scene& scene) {
+  const Listing list{scene};
+  return {
+      list.depth_averaged_flow(), list.gravity_along_slope(), list.earth_pressure(), list.basal_friction(), list.curvature(),
+      list.elevation(),           list.obstacles(),           list.inflow(),         list.periodic(),       list.grain_engine(),
+      list.rolling_friction(),    list.side_friction(),       list.coupling(),       list.airborne()};
+}
+
+}  // namespace couloir

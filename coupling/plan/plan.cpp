@@ -1,0 +1,161 @@
+#include "coupling/plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/plan/build.hpp"
+#include "coupling/plan/effects.hpp"
+#include "coupling/plan/release.hpp"
+#include "coupling/scene/release_shape.hpp"
+#include "coupling/scene/units.hpp"
+
+namespace couloir {
+namespace {
+
+// Speeds of one core of about 2020. Grains: measured with LIGGGHTS at 2.0 to 3.7 million; two ranks gave 1.7 times one. Cells: a
+// guess.
+constexpr double cell_updates_per_second = 1e7, particle_steps_per_second = 2.5e6, rank_exponent = 0.77;
+constexpr double bytes_per_cell = 400, bytes_per_grain = 2000, bytes_of_engine = 6e7;
+
+std::string len(double value) {
+  return short_quantity(value, Dimension::length);
+}
+
+bool fed(const Scene& scene) {
+  return std::ranges::any_of(scene.sides, [](const SideSpec& side) { return side.kind == SideSpec::Kind::inflow; });
+}
+
+// [s] the least step on the way: fastest wave (greatest K) of the release and of the flow downstream.
+double least_step(const Scene& scene, const Grid& grid) {
+  const EarthPressure k = closure_of(scene).earth_pressure;
+  const double most_k = std::max({1.0, k.x_active, k.x_passive, k.y_passive_passive, k.y_passive_active});
+  double fastest = 0;
+  for (const FlowEstimate& f : flow_estimate(scene)) {
+    fastest = std::max(fastest, std::abs(f.velocity) + std::sqrt(most_k * scene.gravity * f.depth));
+  }
+  return scene.continuum.cfl * std::min(grid.dx, grid.dy) / fastest;
+}
+
+// Share of the cells that hold material, averaged roughly: dry blocks cost nothing.
+double wet_share(const Scene& scene) {
+  if (scene.release.kind == ReleaseSpec::Kind::uniform || fed(scene)) return 1;
+  const Footprint f = release_footprint(scene);
+  return std::min(1.0, 6 * (f.x1 - f.x0) * (f.y1 - f.y0) / (scene.terrain.total_length() * scene.terrain.width));
+}
+
+std::int64_t grains_in(const Scene& scene, double volume) {
+  return std::llround(volume * expected_solid_fraction / mean_grain_volume(scene.grains));
+}
+
+double volume_of_all_grains(const Scene& scene) {
+  double volume = release_volume(scene);
+  if (fed(scene)) {
+    double deepest_inflow = 0, entered = 0;
+    for (const SideSpec& side : scene.sides) {
+      if (side.kind != SideSpec::Kind::inflow) continue;
+      deepest_inflow = std::max(deepest_inflow, side.depth);
+      entered += side.depth * side.velocity * scene.terrain.width * scene.duration;
+    }
+    const double full = scene.terrain.total_length() * scene.terrain.width * deepest_inflow;
+    volume = std::max(volume, std::min(volume + entered, full));
+  }
+  return volume;
+}
+
+// The zone filled to the expected depth, its driven layer, and a wedge of 1.5 to 1 before each obstacle.
+double volume_in_zone(const Scene& scene, const ZoneBox& zone, const FlowEstimate& flow) {
+  const double across = zone.y1 - zone.y0;
+  double volume = flow.depth * across * (zone.x1 - zone.x0 + 3 * scene.grains.diameter);
+  for (const ObstacleSpec& o : scene.obstacles) volume += 0.75 * o.height * o.height * o.width;
+  return fed(scene) ? volume : std::min(volume, release_volume(scene));
+}
+
+void warn(Plan& plan, const Scene& scene) {
+  const auto say = [&](std::string text) { plan.warnings.push_back(std::move(text)); };
+  if (scene.mode == Mode::continuum) return;
+  const double d = scene.grains.diameter, tan_delta = std::tan(scene.material.delta), mu = scene.material.grain.base_friction;
+  if (scene.mode == Mode::coupled && std::abs(mu - tan_delta) > 0.02) {
+    say(fmt::format("The two models brake differently: base friction of the grains is {:.3g}, tan(delta) is {:.3g}.", mu,
+                    tan_delta));
+  }
+  if (mu > 0.4) {
+    say(
+        fmt::format("Base friction {:.3g} is above 0.4, where the lowest grains begin to roll: the grains' friction is then less "
+                    "sharp than Coulomb's.",
+                    mu));
+  }
+  if (plan.at_obstacle.depth < 3 * d) {
+    say(fmt::format("The flow at the obstacle is expected to be {:.3g} mm deep, less than three grains of {}.",
+                    plan.at_obstacle.depth * 1e3, len(d)));
+  }
+  const auto grains = plan.grains[static_cast<std::size_t>(scene.mode)];
+  if (grains > 200000) say(fmt::format("About {} grains at once will be slow; larger grains or a smaller zone help.", grains));
+  if (!plan.zone) return;
+  const ZoneBox& z = plan.zone->box;
+  for (const ObstacleSpec& o : scene.obstacles) {
+    const double before = o.x - z.x0;
+    if (before > 0 && before < 20 * d) {
+      say(fmt::format("The zone reaches only {:.0f} grain diameters upstream of {}; the pile will reach its face.", before / d,
+                      o.name));
+    }
+    const bool inside = o.x >= z.x0 && o.x + o.length <= z.x1 && o.y - o.width / 2 >= z.y0 && o.y + o.width / 2 <= z.y1;
+    if (!inside) say(fmt::format("{} lies outside the zone: the continuum flows around it.", o.name));
+  }
+  const double froude = flow_estimate_at(scene, z.x1).froude;
+  if (froude > 0 && froude < 1) {
+    say(fmt::format(
+        "The flow is expected to leave the zone at Fr {:.2g}, below 1: what happens at the exit acts back on the zone.", froude));
+  }
+}
+
+}  // namespace
+
+Plan make_plan(const Scene& scene) {
+  Plan plan;
+  plan.title = scene.title;
+  plan.mode = scene.mode;
+  plan.effects = effects_of(scene);
+  plan.release_volume = release_volume(scene);
+  plan.release_mass = plan.release_volume * scene.material.density;
+  const double first =
+      scene.obstacles.empty() ? scene.terrain.total_length() : std::ranges::min_element(scene.obstacles, {}, &ObstacleSpec::x)->x;
+  plan.at_obstacle = flow_estimate_at(scene, first);
+
+  if (scene.mode != Mode::grains) {
+    plan.grid = grid_of(scene);
+    plan.cells = static_cast<std::int64_t>(plan.grid.nx) * plan.grid.ny;
+    plan.dt = least_step(scene, plan.grid);
+    plan.steps = static_cast<std::int64_t>(std::ceil(scene.duration / plan.dt));
+    plan.memory += bytes_per_cell * static_cast<double>(plan.cells);
+    plan.time_continuum =
+        2.0 * static_cast<double>(plan.steps) * static_cast<double>(plan.cells) * wet_share(scene) / cell_updates_per_second;
+  }
+
+  if (scene.mode == Mode::coupled) plan.zone = planned_zone(scene);
+  const bool zone_known = scene.continuum.cell > 0 && (scene.grains.zone || !scene.obstacles.empty());
+  if (scene.grains.diameter > 0) {
+    plan.grains[static_cast<std::size_t>(Mode::grains)] = grains_in(scene, volume_of_all_grains(scene));
+    if (zone_known) {
+      const double volume = volume_in_zone(scene, planned_zone(scene).box, plan.at_obstacle);
+      plan.grains[static_cast<std::size_t>(Mode::coupled)] = grains_in(scene, volume);
+    }
+  }
+
+  if (scene.mode != Mode::continuum) {
+    const auto count = static_cast<double>(plan.grains[static_cast<std::size_t>(scene.mode)]);
+    plan.engine_dt = engine_timestep(scene);
+    // Coupled: no engine before the flow nears the zone.
+    const double idle = plan.zone && !fed(scene) ? flow_estimate_at(scene, plan.zone->box.x0).time / 2 : 0;
+    plan.engine_steps = static_cast<std::int64_t>(std::ceil(std::max(0.0, scene.duration - idle) / plan.engine_dt));
+    plan.memory += bytes_of_engine * scene.grains.ranks + bytes_per_grain * count;
+    plan.time_engine = count * static_cast<double>(plan.engine_steps) /
+                       (particle_steps_per_second * std::pow(scene.grains.ranks, rank_exponent));
+  }
+  plan.time = plan.time_continuum + plan.time_engine;
+  warn(plan, scene);
+  return plan;
+}
+
+}  // namespace couloir

@@ -1,0 +1,45 @@
+#pragma once
+// What a scene will run, why, and what it will cost. Builds everything, computes nothing.
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "continuum/solver.hpp"
+#include "coupling/plan/effect.hpp"
+#include "coupling/plan/flow_estimate.hpp"
+#include "coupling/plan/zone.hpp"
+#include "coupling/scene/scene.hpp"
+
+namespace couloir {
+
+struct Plan {
+  std::string title;
+  Mode mode = Mode::coupled;
+  std::vector<Effect> effects;
+  double release_volume = 0, release_mass = 0;  // [m3], [kg]
+  Grid grid;                                    // nx = 0 in mode grains
+  std::int64_t cells = 0;
+  double dt = 0;                         // [s] least continuum step expected
+  std::int64_t steps = 0;                // at that step
+  FlowEstimate at_obstacle;              // flow expected at the first obstacle; without one at the terrain's end
+  std::optional<PlannedZone> zone;       // mode coupled
+  std::array<std::int64_t, 3> grains{};  // greatest number expected at once, by Mode; 0 where the scene has no diameter
+  double engine_dt = 0;                  // [s] 0: no engine
+  std::int64_t engine_steps = 0;
+  double memory = 0;                           // [bytes]
+  double time_continuum = 0, time_engine = 0;  // [s] of one core at the speeds that plan.cpp states
+  double time = 0;                             // [s] wall, both
+  std::vector<std::string> warnings;           // whole sentences
+};
+
+// The scene must have passed check_scene.
+Plan make_plan(const Scene&);
+
+std::string plan_text(const Plan&);
+nlohmann::json plan_json(const Plan&);
+
+}  // namespace couloir

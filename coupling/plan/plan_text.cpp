@@ -1,0 +1,85 @@
+// A plan as text and as JSON.
+
+#include <fmt/format.h>
+
+#include "coupling/plan/plan.hpp"
+#include "coupling/scene/units.hpp"
+
+namespace couloir {
+namespace {
+
+std::string len(double value) {
+  return short_quantity(value, Dimension::length);
+}
+
+std::string seconds(double value) {
+  if (value < 120) return fmt::format("{:.2g} s", value);
+  if (value < 7200) return fmt::format("{:.0f} min", value / 60);
+  return fmt::format("{:.1f} h", value / 3600);
+}
+
+nlohmann::json json_of(const ZoneBox& box) {
+  return {{"x", {box.x0, box.x1}}, {"y", {box.y0, box.y1}}};
+}
+
+}  // namespace
+
+std::string plan_text(const Plan& plan) {
+  std::string out;
+  if (!plan.title.empty()) out += plan.title + "\n";
+  out += fmt::format("mode       {}\n", to_string(plan.mode));
+  out += fmt::format("release    {:.4g} kg, {:.4g} L\n", plan.release_mass, plan.release_volume * 1e3);
+  if (plan.cells > 0) {
+    out += fmt::format("mesh       {} x {} cells of {} x {}\n", plan.grid.nx, plan.grid.ny, len(plan.grid.dx), len(plan.grid.dy));
+    out += fmt::format("steps      about {} of {:.2g} ms\n", plan.steps, plan.dt * 1e3);
+  }
+  if (plan.zone) {
+    const ZoneBox& z = plan.zone->box;
+    out += fmt::format("zone       x {} to {}, y {} to {} ({} x {} cells)\n", len(z.x0), len(z.x1), len(z.y0), len(z.y1),
+                       plan.zone->cells.i1 - plan.zone->cells.i0, plan.zone->cells.j1 - plan.zone->cells.j0);
+    out += fmt::format("           {}\n", plan.zone->reason);
+  }
+  if (plan.engine_dt > 0) {
+    out += fmt::format("grains     about {} at once; {} engine steps of {:.3g} us\n",
+                       plan.grains[static_cast<std::size_t>(plan.mode)], plan.engine_steps, plan.engine_dt * 1e6);
+  }
+  out += fmt::format("cost       about {} (continuum {}, engine {}), {:.0f} MB; within a factor of three\n", seconds(plan.time),
+                     seconds(plan.time_continuum), seconds(plan.time_engine), plan.memory * 1e-6);
+  out += "effects\n";
+  for (const Effect& effect : plan.effects)
+    out += fmt::format("  {:<3}  {:<20} {}\n", effect.on ? "on" : "off", effect.name, effect.reason);
+  for (const std::string& warning : plan.warnings) out += "warning    " + warning + "\n";
+  return out;
+}
+
+nlohmann::json plan_json(const Plan& plan) {
+  nlohmann::json json;
+  json["title"] = plan.title;
+  json["mode"] = to_string(plan.mode);
+  json["release"] = {{"volume", plan.release_volume}, {"mass", plan.release_mass}};
+  json["continuum"] = {{"cells", plan.cells}, {"nx", plan.grid.nx}, {"ny", plan.grid.ny}, {"dx", plan.grid.dx},
+                       {"dy", plan.grid.dy},  {"dt", plan.dt},      {"steps", plan.steps}};
+  if (plan.zone) {
+    json["zone"] = json_of(plan.zone->box);
+    json["zone"]["reason"] = plan.zone->reason;
+  } else {
+    json["zone"] = nullptr;
+  }
+  json["grains"] = {{"continuum", plan.grains[0]}, {"coupled", plan.grains[1]}, {"grains", plan.grains[2]}};
+  json["engine"] = {{"timestep", plan.engine_dt}, {"steps", plan.engine_steps}};
+  json["flow"] = {{"x", plan.at_obstacle.x},
+                  {"time", plan.at_obstacle.time},
+                  {"depth", plan.at_obstacle.depth},
+                  {"velocity", plan.at_obstacle.velocity},
+                  {"froude", plan.at_obstacle.froude}};
+  json["memory"] = plan.memory;
+  json["time"] = {{"continuum", plan.time_continuum}, {"engine", plan.time_engine}, {"total", plan.time}};
+  json["effects"] = nlohmann::json::array();
+  for (const Effect& effect : plan.effects) {
+    json["effects"].push_back({{"name", effect.name}, {"on", effect.on}, {"reason", effect.reason}});
+  }
+  json["warnings"] = plan.warnings;
+  return json;
+}
+
+}  // namespace couloir

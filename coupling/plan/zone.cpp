@@ -1,0 +1,104 @@
+#include "coupling/plan/zone.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/plan/build.hpp"
+#include "coupling/plan/flow_estimate.hpp"
+#include "coupling/scene/release_shape.hpp"
+#include "coupling/scene/scene_error.hpp"
+#include "coupling/scene/units.hpp"
+
+namespace couloir {
+namespace {
+
+std::string len(double value) {
+  return short_quantity(value, Dimension::length);
+}
+
+struct Reach {
+  double before, beside, behind;
+};
+
+Reach reach_of(const ObstacleSpec& o, double d, const FlowEstimate& flow) {
+  const double run_up = (flow.froude < 2 ? 15 : 10) * flow.depth;
+  return {std::max({2.5 * o.height, 30 * d, run_up}), std::max({0.5 * o.height, 12 * d, 4 * flow.depth}),
+          std::max(0.5 * o.height, 10 * d)};
+}
+
+PlannedZone on_cells(const CellBox& cells, const Grid& grid, std::string reason) {
+  return {
+      {grid.x0 + cells.i0 * grid.dx, grid.x0 + cells.i1 * grid.dx, grid.y0 + cells.j0 * grid.dy, grid.y0 + cells.j1 * grid.dy},
+      cells,
+      std::move(reason)};
+}
+
+// The cells that a box touches.
+CellBox cells_around(const ZoneBox& box, const Grid& grid) {
+  const auto low = [](double edge, double origin, double step) {
+    return static_cast<int>(std::floor((edge - origin) / step + 1e-6));
+  };
+  const auto high = [](double edge, double origin, double step) {
+    return static_cast<int>(std::ceil((edge - origin) / step - 1e-6));
+  };
+  return {std::max(0, low(box.x0, grid.x0, grid.dx)), std::min(grid.nx, high(box.x1, grid.x0, grid.dx)),
+          std::max(0, low(box.y0, grid.y0, grid.dy)), std::min(grid.ny, high(box.y1, grid.y0, grid.dy))};
+}
+
+PlannedZone automatic(const Scene& scene) {
+  if (scene.obstacles.empty()) {
+    throw SceneError(
+        "grains.zone is auto, but there is no obstacle to put it around; give a box {x: [.., ..], y: [.., ..]} or an obstacle");
+  }
+  const double d = scene.grains.diameter, length = scene.terrain.total_length(), half = scene.terrain.width / 2;
+  ZoneBox box{length, 0, half, -half};
+  std::string reason;
+  double first_obstacle = length;
+  for (const ObstacleSpec& o : scene.obstacles) {
+    const FlowEstimate flow = flow_estimate_at(scene, o.x);
+    const Reach reach = reach_of(o, d, flow);
+    first_obstacle = std::min(first_obstacle, o.x);
+    box.x0 = std::min(box.x0, o.x - reach.before);
+    box.x1 = std::max(box.x1, o.x + o.length + reach.behind);
+    box.y0 = std::min(box.y0, o.y - o.width / 2 - reach.beside);
+    box.y1 = std::max(box.y1, o.y + o.width / 2 + reach.beside);
+    reason += fmt::format(
+        "{}{} is {} high, the flow expected there {} deep at {:.3g} m/s (Fr {:.3g}), the grains {}: {} before it, {} beside, "
+        "{} behind",
+        reason.empty() ? "" : "; ", o.name, len(o.height), fmt::format("{:.3g} mm", flow.depth * 1e3), flow.velocity, flow.froude,
+        len(d), len(reach.before), len(reach.beside), len(reach.behind));
+  }
+  if (scene.release.kind != ReleaseSpec::Kind::uniform) {
+    const double front = release_footprint(scene).x1;
+    const double latest = first_obstacle - 10 * d;
+    if (box.x0 < front && front < latest) {
+      box.x0 = std::ceil(front / grid_of(scene).dx - 1e-6) * grid_of(scene).dx;
+      reason += fmt::format("; it starts at the release's lower edge, {}", len(front));
+    }
+  }
+  box.x0 = std::max(box.x0, 4 * d);  // room for the driven layer
+  if (box.x1 > length - 6 * d) box.x1 = length;
+  // Both or none, so that a symmetric scene keeps a symmetric zone; periodic sides are one line.
+  const bool low = box.y0<-half + 6 * d, high = box.y1> half - 6 * d;
+  const bool periodic = scene.sides[2].kind == SideSpec::Kind::periodic;
+  if (low || (periodic && high)) box.y0 = -half;
+  if (high || (periodic && low)) box.y1 = half;
+  const Grid grid = grid_of(scene);
+  return on_cells(cells_around(box, grid), grid, "automatic: " + reason);
+}
+
+}  // namespace
+
+ZoneBox automatic_zone(const Scene& scene) {
+  return automatic(scene).box;
+}
+
+PlannedZone planned_zone(const Scene& scene) {
+  if (!scene.grains.zone) return automatic(scene);
+  const Grid grid = grid_of(scene);
+  return on_cells(cells_in(*scene.grains.zone, grid), grid, "given by the scene, moved to the nearest cell lines");
+}
+
+}  // namespace couloir

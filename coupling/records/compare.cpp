@@ -1,0 +1,78 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "coupling/records/columns.hpp"
+#include "coupling/records/reader.hpp"
+
+namespace couloir {
+namespace {
+
+std::string difference(const std::string& name, const std::vector<double>& a, const std::vector<double>& b) {
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
+    if (std::memcmp(&a[k], &b[k], sizeof(double)) != 0) return fmt::format("{} row {}: {:.17g} and {:.17g}", name, k, a[k], b[k]);
+  if (a.size() != b.size()) return fmt::format("{}: {} rows and {} rows", name, a.size(), b.size());
+  return {};
+}
+
+double impulse(const RecordsReader& run, const std::string& obstacle) {
+  const std::vector<double> force = run.force(obstacle, "fx"), length = run.window("length");
+  double sum = 0;
+  for (std::size_t k = 0; k < std::min(force.size(), length.size()); ++k) sum += force[k] * length[k];
+  return sum;
+}
+
+}  // namespace
+
+std::string first_difference(const RecordsReader& a, const RecordsReader& b) {
+  for (const WindowColumn& c : window_columns()) {
+    const std::string text = difference(std::string("windows/") + c.name, a.window(c.name), b.window(c.name));
+    if (!text.empty()) return text;
+  }
+  if (a.obstacles() != b.obstacles()) return "the obstacles are not the same";
+  for (const std::string& name : a.obstacles())
+    for (const char* column : {"fx", "fy", "fz", "depth_on_top"}) {
+      const std::string text = difference("forces/" + name + "/" + column, a.force(name, column), b.force(name, column));
+      if (!text.empty()) return text;
+    }
+  if (a.frames() != b.frames()) return fmt::format("frames: {} and {}", a.frames().size(), b.frames().size());
+  for (const long k : a.frames()) {
+    const Frame p = a.frame(k), q = b.frame(k);
+    const std::string at = fmt::format("frames/{:06d}/", k);
+    for (const auto& [name, x, y] : {std::tuple{"h", &p.h, &q.h}, {"hu", &p.hu, &q.hu}, {"hv", &p.hv, &q.hv},
+                                     {"grains/x", &p.grains.x, &q.grains.x}, {"grains/vx", &p.grains.vx, &q.grains.vx}}) {
+      const std::string text = difference(at + name, *x, *y);
+      if (!text.empty()) return text;
+    }
+    if (!(p == q)) return at + ": the grains are not the same";
+  }
+  return {};
+}
+
+RunDistance distance(const RecordsReader& a, const RecordsReader& b) {
+  RunDistance out;
+  const std::vector<long> others = b.frames();
+  double deepest = 0;
+  for (const long k : a.frames()) {
+    if (std::find(others.begin(), others.end(), k) == others.end()) continue;
+    const Frame p = a.frame(k), q = b.frame(k);
+    if (p.h.size() != q.h.size()) continue;
+    ++out.common_frames;
+    for (std::size_t c = 0; c < p.h.size(); ++c) {
+      deepest = std::max({deepest, p.h[c], q.h[c]});
+      out.depth = std::max(out.depth, std::abs(p.h[c] - q.h[c]));
+    }
+  }
+  if (deepest > 0) out.depth /= deepest;
+  const std::vector<std::string> names = b.obstacles();
+  for (const std::string& name : a.obstacles()) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+    const double p = impulse(a, name), q = impulse(b, name), larger = std::max(std::abs(p), std::abs(q));
+    if (larger > 0) out.impulse = std::max(out.impulse, std::abs(p - q) / larger);
+  }
+  return out;
+}
+
+}  // namespace couloir

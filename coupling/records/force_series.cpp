@@ -1,0 +1,44 @@
+#include "coupling/records/force_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace couloir {
+
+void ForceSeries::add(double time, double length, double force, bool contact) {
+  if (contact && contact_ < 0) contact_ = time - length;
+  impulse_.push_back((impulse_.empty() ? 0.0 : impulse_.back()) + force * length);
+  end_.push_back(time);
+  begin_.push_back(time - length);
+  force_.push_back(force);
+}
+
+double ForceSeries::impulse_at(double time) const {
+  const auto after = std::lower_bound(end_.begin(), end_.end(), time);
+  if (after == end_.end()) return impulse_.empty() ? 0 : impulse_.back();
+  const auto k = std::size_t(after - end_.begin());
+  return impulse_[k] - force_[k] * std::min(end_[k] - time, end_[k] - begin_[k]);
+}
+
+ForceFigures ForceSeries::figures() const {
+  ForceFigures out;
+  if (end_.empty()) return out;
+  const double last = end_.back();
+  const auto look = [&](double t) {
+    const double mean = (impulse_at(t) - impulse_at(t - kPeakSpan)) / kPeakSpan;
+    if (std::abs(mean) > std::abs(out.peak)) out.peak = mean, out.peak_time = t;
+  };
+  for (std::size_t k = 0; k < end_.size(); ++k) {
+    look(end_[k]);
+    if (end_[k] + kPeakSpan < last) look(end_[k] + kPeakSpan);
+    if (std::abs(force_[k]) > std::abs(out.peak_window)) out.peak_window = force_[k];
+  }
+  out.impulse = impulse_.back();
+  out.first_contact = contact_;
+  if (contact_ >= 0 && last > contact_) out.mean = (out.impulse - impulse_at(contact_)) / (last - contact_);
+  const double span = std::min(kFinalSpan, last - begin_.front());
+  if (span > 0) out.final = (out.impulse - impulse_at(last - span)) / span;
+  return out;
+}
+
+}  // namespace couloir

@@ -1,0 +1,33 @@
+#pragma once
+// RUN/forces.csv: time and the force on each obstacle, for those who want no HDF5.
+#include <string>
+#include <vector>
+
+#include "coupling/loop/observer.hpp"
+#include "coupling/records/text_file.hpp"
+
+namespace couloir {
+
+// Rows are at least scene.record.forces apart. A row holds the mean since the row before, so no impulse is lost by thinning:
+// the sum of force times (time - time of the row before) is the impulse [N s].
+//
+//   time [s],wall x [N],wall y [N],wall z [N]      x along the slope, y across it, z along the normal
+class ForcesCsv : public Observer {
+ public:
+  // With `resume_time` the rows after it are dropped and writing goes on. Throws RecordError.
+  explicit ForcesCsv(const std::string& path, double resume_time = -1);
+  void on_start(const RunStart&) override;
+  void on_window(const WindowReport&) override;
+  void on_finish(const RunEnd&) override;
+
+ private:
+  void write_row();
+
+  TextFile file_;
+  bool resumed_;
+  double interval_ = 0;          // [s]
+  double time_ = 0, since_ = 0;  // [s] now; covered by impulse_
+  std::vector<Vec> impulse_;     // [N s] since the last row
+};
+
+}  // namespace couloir

@@ -1,0 +1,41 @@
+#include "coupling/records/provenance.hpp"
+
+#include <fmt/core.h>
+#include <hdf5.h>
+
+#include <Eigen/Core>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "couloir_build.hpp"
+
+namespace couloir {
+namespace {
+
+std::string cpu_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.rfind("model name", 0) != 0) continue;
+    const auto colon = line.find(':');
+    if (colon != std::string::npos && colon + 2 < line.size()) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+std::string library_versions() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return fmt::format("HDF5 {}.{}.{}, Eigen {}.{}.{}, fmt {}.{}.{}, nlohmann-json {}.{}.{}", major, minor, release,
+                     EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, FMT_VERSION / 10000,
+                     FMT_VERSION / 100 % 100, FMT_VERSION % 100, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+                     NLOHMANN_JSON_VERSION_PATCH);
+}
+
+}  // namespace
+
+const Provenance& provenance() {
+  static const Provenance made{build::kVersion, build::kRevision, build::kCompiler, build::kFlags, cpu_model(), library_versions()};
+  return made;
+}
+
+}  // namespace couloir

@@ -1,0 +1,18 @@
+#pragma once
+// What made a record: nothing that names a host, a user or a place.
+#include <string>
+
+namespace couloir {
+
+struct Provenance {
+  std::string version;    // of couloir, "0.1.0"
+  std::string revision;   // git commit, "-dirty" where the tree differed from it; "unknown" outside of a git tree
+  std::string compiler;   // "GNU 12.2.0"
+  std::string flags;      // that the sources were compiled with
+  std::string cpu;        // model name; "unknown" where the system does not tell
+  std::string libraries;  // "HDF5 1.10.8, Eigen 3.4.0, ..."
+};
+
+const Provenance& provenance();
+
+}  // namespace couloir

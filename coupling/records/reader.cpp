@@ -1,0 +1,97 @@
+#include "coupling/records/reader.hpp"
+
+#include <fmt/core.h>
+
+#include <cstring>
+
+#include "coupling/records/columns.hpp"
+
+namespace couloir {
+namespace {
+
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+std::string frame_path(long index) { return fmt::format("frames/{:06d}", index); }
+
+}  // namespace
+
+bool Frame::operator==(const Frame& o) const {
+  const Grains &a = grains, &b = o.grains;
+  return std::memcmp(&time, &o.time, sizeof time) == 0 && same_bits(h, o.h) && same_bits(hu, o.hu) && same_bits(hv, o.hv) &&
+         same_bits(a.id, b.id) && same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z) && same_bits(a.vx, b.vx) &&
+         same_bits(a.vy, b.vy) && same_bits(a.vz, b.vz) && same_bits(a.radius, b.radius) && same_bits(a.driven, b.driven);
+}
+
+RecordsReader::RecordsReader(const std::string& path) : file_(h5::open_file(path, false)) {
+  if (text("format") != "couloir records") throw RecordError(path + " is not a record of couloir");
+}
+
+std::string RecordsReader::text(const std::string& attribute) const { return h5::text_attribute(file_, attribute); }
+double RecordsReader::number(const std::string& attribute) const { return h5::number_attribute(file_, attribute); }
+
+Grid RecordsReader::grid() const {
+  Grid grid;
+  const h5::Handle group = h5::create_group(file_, "grid");
+  if (!h5::exists(group, "x")) return grid;
+  const std::vector<double> x = h5::numbers(group, "x"), y = h5::numbers(group, "y");
+  grid.nx = int(x.size());
+  grid.ny = int(y.size());
+  // A single row or column has no spacing of its own: the other direction's stands in for it.
+  const double dx = grid.nx > 1 ? (x.back() - x.front()) / (grid.nx - 1) : 0;
+  const double dy = grid.ny > 1 ? (y.back() - y.front()) / (grid.ny - 1) : 0;
+  grid.dx = dx > 0 ? dx : dy;
+  grid.dy = dy > 0 ? dy : dx;
+  grid.x0 = x.front() - grid.dx / 2;
+  grid.y0 = y.front() - grid.dy / 2;
+  return grid;
+}
+
+std::vector<double> RecordsReader::bed() const { return h5::numbers(file_, "grid/bed"); }
+
+std::vector<long> RecordsReader::frames() const {
+  const h5::Handle group = h5::create_group(file_, "frames");
+  std::vector<long> indices;
+  for (const std::string& name : h5::children(group)) indices.push_back(std::stol(name));
+  return indices;
+}
+
+Frame RecordsReader::frame(long index) const {
+  Frame out;
+  const h5::Handle group = h5::create_group(file_, frame_path(index));
+  out.time = h5::numbers(group, "time").at(0);
+  if (h5::exists(group, "h")) {
+    out.h = h5::numbers(group, "h");
+    out.hu = h5::numbers(group, "hu");
+    out.hv = h5::numbers(group, "hv");
+  }
+  if (!h5::exists(group, "grains")) return out;
+  const h5::Handle set = h5::create_group(group, "grains");
+  Grains& g = out.grains;
+  g.id = h5::integers(set, "id");
+  for (const auto& [name, column] : {std::pair{"x", &g.x}, {"y", &g.y}, {"z", &g.z}, {"vx", &g.vx}, {"vy", &g.vy}, {"vz", &g.vz},
+                                     {"radius", &g.radius}})
+    *column = h5::numbers(set, name);
+  for (const std::int64_t driven : h5::integers(set, "driven")) g.driven.push_back(std::int8_t(driven));
+  return out;
+}
+
+std::vector<double> RecordsReader::window(const std::string& column) const { return h5::numbers(file_, "windows/" + column); }
+
+std::vector<std::string> RecordsReader::obstacles() const { return h5::children(h5::create_group(file_, "forces")); }
+
+std::vector<double> RecordsReader::force(const std::string& obstacle, const std::string& column) const {
+  return h5::numbers(file_, "forces/" + obstacle + "/" + column);
+}
+
+std::vector<Event> RecordsReader::events() const {
+  const std::vector<double> times = h5::numbers(file_, "events/time");
+  const std::vector<std::string> what = h5::texts(file_, "events/text");
+  std::vector<Event> out;
+  for (std::size_t k = 0; k < std::min(times.size(), what.size()); ++k) out.push_back({times[k], what[k]});
+  return out;
+}
+
+}  // namespace couloir

@@ -1,0 +1,52 @@
+#pragma once
+// Reads RUN/records.h5 back: for comparisons, `reproduce`, continued runs and tests. All calls throw RecordError.
+#include <string>
+#include <vector>
+
+#include "coupling/loop/observer.hpp"
+#include "coupling/records/h5.hpp"
+
+namespace couloir {
+
+// One frame as it was stored; empty vectors where the run had no continuum or no grains.
+struct Frame {
+  double time = 0;                  // [s]
+  std::vector<double> h, hu, hv;    // [j * nx + i] [m], [m2/s]
+  Grains grains;                    // tilted frame
+  bool operator==(const Frame&) const;  // bit for bit
+};
+
+class RecordsReader {
+ public:
+  explicit RecordsReader(const std::string& path);
+
+  std::string text(const std::string& attribute) const;   // of the root: "scene", "git_revision", "status", ...
+  double number(const std::string& attribute) const;      // "bulk_density", "seed", ...
+  Grid grid() const;                                      // nx = 0: no continuum
+  std::vector<double> bed() const;
+
+  std::vector<long> frames() const;                       // indices, rising
+  Frame frame(long index) const;
+
+  std::vector<double> window(const std::string& column) const;   // as in columns.hpp: "time", "mass_grains", ...
+  std::vector<std::string> obstacles() const;
+  std::vector<double> force(const std::string& obstacle, const std::string& column) const;  // "time", "fx", "fy", ...
+  std::vector<Event> events() const;
+
+ private:
+  h5::Handle file_;
+};
+
+// What differs between two runs' numbers (windows, forces, frames, events' times), bit for bit: the first place and both values,
+// or an empty text where they are the same. Attributes such as the start time are not compared.
+std::string first_difference(const RecordsReader& a, const RecordsReader& b);
+
+// The largest difference of the depth between two runs over their common frames, over the largest depth; of the obstacles'
+// impulses, over the larger one. For runs on different machines.
+struct RunDistance {
+  double depth = 0, impulse = 0;  // [-]
+  int common_frames = 0;
+};
+RunDistance distance(const RecordsReader& a, const RecordsReader& b);
+
+}  // namespace couloir

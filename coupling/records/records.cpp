@@ -1,0 +1,258 @@
+#include "coupling/records/records.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+
+#include <ctime>
+
+#include "coupling/records/columns.hpp"
+#include "coupling/records/level_frame.hpp"
+#include "coupling/records/provenance.hpp"
+
+namespace couloir {
+namespace {
+
+constexpr long kWaitingWindows = 256;
+constexpr int kSurfacePoints = 401;
+constexpr double kDry = 1e-6;  // [m] pictures show no velocity in thinner flow
+
+std::string now_utc() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+
+}  // namespace
+
+Records::Records(const std::string& path, const std::string& scene_text, double resume_time)
+    : path_(path), scene_text_(scene_text), resume_time_(resume_time) {
+  file_ = resume_time >= 0 ? h5::open_file(path, true) : h5::create_file(path);
+}
+
+Records::~Records() = default;
+
+// HDF5 cannot take back a write that failed half-way. The first failure is thrown; after it the file is left alone, as it was at
+// the last flush.
+void Records::guarded(const std::function<void()>& write) {
+  if (failed_) return;
+  try {
+    write();
+  } catch (const RecordError& error) {
+    failed_ = true;
+    throw RecordError(std::string(error.what()) + "; free space there or choose another --out");
+  }
+}
+
+void Records::on_start(const RunStart& start) {
+  guarded([&] {
+    surface_ = start.surface;
+    grid_ = start.grid;
+    bed_ = start.bed;
+    if (resume_time_ >= 0) {
+      frames_ = h5::create_group(file_, "frames");
+      open_series(start);
+      drop_after(resume_time_);
+    } else {
+      write_root(*start.scene, start.bulk_density);
+      write_surface();
+      write_grid(start);
+      frames_ = h5::create_group(file_, "frames");
+      open_series(start);
+    }
+    h5::flush(file_, path_);
+  });
+}
+
+void Records::write_root(const Scene& scene, double bulk_density) {
+  const Provenance& made = provenance();
+  const std::pair<const char*, std::string> texts[] = {
+      {"format", "couloir records"},
+      {"couloir_version", made.version},
+      {"git_revision", made.revision},
+      {"compiler", made.compiler},
+      {"compiler_flags", made.flags},
+      {"cpu", made.cpu},
+      {"libraries", made.libraries},
+      {"start_time", now_utc()},
+      {"title", scene.title},
+      {"mode", to_string(scene.mode)},
+      {"scene", scene_text_},
+      {"scene_as_given", scene.text},
+      {"engine", scene.mode == Mode::continuum ? "" : scene.grains.engine},
+      {"status", "running"},
+  };
+  for (const auto& [name, value] : texts) h5::put_attribute(file_, name, value);
+  h5::put_attribute(file_, "format_version", std::int64_t{kFormatVersion});
+  h5::put_attribute(file_, "seed", std::int64_t{scene.grains.seed});
+  h5::put_attribute(file_, "bulk_density", bulk_density);          // [kg/m3]
+  h5::put_attribute(file_, "gravity", scene.gravity);              // [m/s2]
+  h5::put_attribute(file_, "grain_diameter", scene.grains.diameter);  // [m]
+  h5::put_attribute(file_, "width", scene.terrain.width);          // [m]
+  h5::put_attribute(file_, "duration", scene.duration);            // [s]
+}
+
+void Records::write_surface() {
+  const h5::Handle group = h5::create_group(file_, "surface");
+  std::vector<double> x, angle, line;
+  for (int k = 0; k < kSurfacePoints; ++k) {
+    x.push_back(surface_->length() * k / (kSurfacePoints - 1));
+    angle.push_back(surface_->angle(x.back()));
+    const Eigen::Vector3d p = surface_->to_level(surface_->to_space({x.back(), 0, 0}));
+    line.insert(line.end(), p.data(), p.data() + 3);
+  }
+  const hsize_t n = kSurfacePoints;
+  h5::put(group, "x", x, {n}, {"m", "arc length along the reference surface from its upper edge"});
+  h5::put(group, "angle", angle, {n}, {"rad", "inclination against the horizontal"});
+  h5::put(group, "line", line, {n, 3}, {"m", "centre line of the reference surface in the level frame"});
+}
+
+void Records::write_grid(const RunStart& start) {
+  const h5::Handle obstacles = h5::create_group(file_, "obstacles");
+  for (const ObstacleSpec& o : start.scene->obstacles) {
+    const h5::Handle group = h5::create_group(obstacles, o.name);
+    h5::put_attribute(group, "unit", "m");
+    h5::put_attribute(group, "description", "x, y: middle of the upstream edge of the footprint; length along the slope");
+    const std::pair<const char*, double> numbers[] = {
+        {"x", o.x}, {"y", o.y}, {"length", o.length}, {"width", o.width}, {"height", o.height}};
+    for (const auto& [name, value] : numbers) h5::put_attribute(group, name, value);
+  }
+  const h5::Handle effects = h5::create_group(file_, "effects");
+  h5::TextSeries name(effects, "name", {"", "physical or numerical effect"}), reason(effects, "reason", {"", "why it is on or off"});
+  h5::Series on(effects, "on", {"1", "1: simulated, 0: not"});
+  for (const Effect& e : start.effects) name.add(e.name), on.add(e.on), reason.add(e.reason);
+  name.write(), on.write(), reason.write();
+
+  const h5::Handle group = h5::create_group(file_, "grid");
+  if (grid_.nx == 0) return;
+  std::vector<double> x, y;
+  for (int i = 0; i < grid_.nx; ++i) x.push_back(grid_.x(i));
+  for (int j = 0; j < grid_.ny; ++j) y.push_back(grid_.y(j));
+  const hsize_t nx = grid_.nx, ny = grid_.ny;
+  const std::vector<double> bed = bed_.empty() ? std::vector<double>(nx * ny, 0.0) : bed_;
+  h5::put(group, "x", x, {nx}, {"m", "cell centres, arc length along the slope"});
+  h5::put(group, "y", y, {ny}, {"m", "cell centres, across the slope"});
+  h5::put(group, "bed", bed, {ny, nx}, {"m", "elevation and step obstacles above the reference surface, along its normal"});
+  h5::put(group, "nodes", level_nodes(grid_, *surface_), {ny + 1, nx + 1, 3},
+          {"m", "cell corners on the reference surface in the level frame"});
+}
+
+void Records::open_series(const RunStart& start) {
+  const h5::Handle windows = h5::create_group(file_, "windows");
+  for (const WindowColumn& c : window_columns()) columns_.emplace_back(windows, c.name, h5::Meaning{c.unit, c.description});
+  const h5::Handle forces = h5::create_group(file_, "forces");
+  for (const std::string& name : start.obstacles) {
+    const h5::Handle group = h5::create_group(forces, name);
+    forces_.push_back({h5::Series(group, "time", {"s", "end of the window"}),
+                       h5::Series(group, "fx", {"N", "force along the slope, mean over the window"}),
+                       h5::Series(group, "fy", {"N", "force across the slope, mean over the window"}),
+                       h5::Series(group, "fz", {"N", "force along the normal, mean over the window"}),
+                       h5::Series(group, "depth_on_top", {"m", "largest depth on the obstacle's top at the window's end"})});
+  }
+  const h5::Handle events = h5::create_group(file_, "events");
+  event_time_.emplace(events, "time", h5::Meaning{"s", "when"});
+  event_text_.emplace(events, "text", h5::Meaning{"", "what happened, and why"});
+}
+
+void Records::drop_after(double time) {
+  const double last = time * (1 + 1e-12);
+  const auto rows_until = [&](const char* name) {
+    hsize_t rows = 0;
+    for (const double t : h5::numbers(file_, name)) rows += t <= last;
+    return rows;
+  };
+  const hsize_t windows = rows_until("windows/time"), events = rows_until("events/time");
+  for (h5::Series& column : columns_) column.keep(windows);
+  for (ForceColumns& f : forces_)
+    for (h5::Series* series : {&f.time, &f.fx, &f.fy, &f.fz, &f.depth_on_top}) series->keep(windows);
+  event_time_->keep(events);
+  event_text_->keep(events);
+  for (const std::string& name : h5::children(frames_))
+    if (h5::numbers(frames_, name + "/time").at(0) > last)
+      h5::check(H5Ldelete(frames_, name.c_str(), H5P_DEFAULT), path_ + " could not be written");
+  h5::put_attribute(file_, "status", "running");
+}
+
+void Records::on_window(const WindowReport& window) {
+  const std::vector<WindowColumn>& table = window_columns();
+  for (std::size_t k = 0; k < columns_.size(); ++k) columns_[k].add(table[k].value(window));
+  for (std::size_t k = 0; k < forces_.size() && k < window.obstacles.size(); ++k) {
+    const ObstacleForce& o = window.obstacles[k];
+    forces_[k].time.add(window.time);
+    forces_[k].fx.add(o.force[0]);
+    forces_[k].fy.add(o.force[1]);
+    forces_[k].fz.add(o.force[2]);
+    forces_[k].depth_on_top.add(o.depth_on_top);
+  }
+  if (++waiting_ < kWaitingWindows) return;
+  guarded([&] {
+    write_waiting();
+    h5::flush(file_, path_);
+  });
+}
+
+void Records::write_waiting() {
+  for (h5::Series& column : columns_) column.write();
+  for (ForceColumns& f : forces_)
+    for (h5::Series* series : {&f.time, &f.fx, &f.fy, &f.fz, &f.depth_on_top}) series->write();
+  event_time_->write();
+  event_text_->write();
+  waiting_ = 0;
+}
+
+void Records::on_frame(const FrameView& view) {
+  guarded([&] {
+    write_waiting();
+    const h5::Handle frame = h5::create_group(frames_, fmt::format("{:06d}", view.index));
+    h5::put(frame, "time", std::vector<double>{view.time}, {}, {"s", "simulated time"});
+    if (view.h) write_flow(frame, view);
+    if (view.grains) write_grains(frame, *view.grains);
+    h5::flush(file_, path_);
+  });
+}
+
+void Records::write_flow(hid_t frame, const FrameView& view) {
+  const hsize_t nx = grid_.nx, ny = grid_.ny;
+  h5::put(frame, "h", *view.h, {ny, nx}, {"m", "depth along the normal; coarse-grained from the grains in the zone"});
+  h5::put(frame, "hu", *view.hu, {ny, nx}, {"m2/s", "depth times velocity along the slope"});
+  h5::put(frame, "hv", *view.hv, {ny, nx}, {"m2/s", "depth times velocity across the slope"});
+  h5::put(frame, "surface", level_free_surface(grid_, *surface_, bed_, *view.h), {ny, nx, 3},
+          {"m", "free surface above the cell centres in the level frame"});
+  h5::put(frame, "velocity", level_velocity(grid_, *surface_, *view.h, *view.hu, *view.hv, kDry), {ny, nx, 3},
+          {"m/s", "depth-averaged velocity in the level frame"});
+  if (view.zone.empty()) return;
+  const CellBox& z = view.zone;
+  h5::put(frame, "zone",
+          std::vector<double>{grid_.x0 + z.i0 * grid_.dx, grid_.x0 + z.i1 * grid_.dx, grid_.y0 + z.j0 * grid_.dy,
+                              grid_.y0 + z.j1 * grid_.dy},
+          {4}, {"m", "rectangle that the grains hold: x from, to; y from, to"});
+}
+
+void Records::write_grains(hid_t frame, const Grains& grains) {
+  const h5::Handle group = h5::create_group(frame, "grains");
+  const hsize_t n = grains.size();
+  h5::put(group, "id", grains.id, {n}, {"1", "number of the grain, unique over the run"});
+  h5::put(group, "x", grains.x, {n}, {"m", "centre in the tilted frame, along the incline"});
+  h5::put(group, "y", grains.y, {n}, {"m", "centre in the tilted frame, across the slope"});
+  h5::put(group, "z", grains.z, {n}, {"m", "centre in the tilted frame, normal to the incline"});
+  h5::put(group, "vx", grains.vx, {n}, {"m/s", "velocity in the tilted frame, along the incline"});
+  h5::put(group, "vy", grains.vy, {n}, {"m/s", "velocity in the tilted frame, across the slope"});
+  h5::put(group, "vz", grains.vz, {n}, {"m/s", "velocity in the tilted frame, normal to the incline"});
+  h5::put(group, "radius", grains.radius, {n}, {"m", "radius"});
+  h5::put(group, "driven", grains.driven, {n}, {"1", "1: in a driven layer"});
+  h5::put(group, "position", level_positions(*surface_, grains), {n, 3}, {"m", "centre in the level frame"});
+  h5::put(group, "velocity", level_velocities(*surface_, grains), {n, 3}, {"m/s", "velocity in the level frame"});
+}
+
+void Records::on_event(const Event& event) {
+  if (!event_time_) return;
+  event_time_->add(event.time);
+  event_text_->add(event.what);
+}
+
+void Records::on_finish(const RunEnd& end) {
+  guarded([&] {
+    if (event_time_) write_waiting();
+    h5::put_attribute(file_, "status", end.status);
+    h5::put_attribute(file_, "reason", end.reason);
+    if (!end.engine.empty()) h5::put_attribute(file_, "engine", end.engine);
+    h5::flush(file_, path_);
+  });
+}
+
+}  // namespace couloir

@@ -1,0 +1,71 @@
+#pragma once
+// RUN/records.h5: everything a run tells its observers, in one file that explains itself. Layout (format version 1):
+//
+//   /                      attributes: format, format_version, provenance, scene, mode, seed, engine, start_time, status, ...
+//   /surface/{x,angle,line}             the reference surface: arc length, inclination, points in the level frame
+//   /grid/{x,y,bed,nodes}               cell centres, bed by cell, cell corners on the reference surface in the level frame
+//   /obstacles/<name>                   attributes: footprint and height
+//   /effects/{name,on,reason}
+//   /frames/<000000>/{time,h,hu,hv,surface,velocity,zone}
+//   /frames/<000000>/grains/{id,x,y,z,vx,vy,vz,radius,driven,position,velocity}
+//   /windows/{time,length,mass_*,momentum_*,grains,...}    one row a window
+//   /forces/<obstacle>/{time,fx,fy,fz,depth_on_top}        one row a window
+//   /events/{time,text}
+//
+// Numbers that a run is compared by (h, hu, hv, x, vx, ...) are stored as computed, in double; `surface`, `position` and
+// `velocity` are float copies in the level frame (X horizontal, Z up) for pictures. Every dataset has `unit` and `description`.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "coupling/loop/observer.hpp"
+#include "coupling/records/h5.hpp"
+
+namespace couloir {
+
+class Records : public Observer {
+ public:
+  static constexpr int kFormatVersion = 1;
+
+  // `scene_text`: the scene as run, complete (write_scene). With `resume_time` >= 0 the file is continued: windows, frames and
+  // events after that time are dropped. Throws RecordError.
+  Records(const std::string& path, const std::string& scene_text, double resume_time = -1);
+  ~Records() override;
+  void on_start(const RunStart&) override;
+  void on_window(const WindowReport&) override;  // kept in memory until the next frame, or for 256 windows
+  void on_frame(const FrameView&) override;      // ends with a flush to disk
+  void on_event(const Event&) override;
+  void on_finish(const RunEnd&) override;
+
+ private:
+  struct ForceColumns {
+    h5::Series time, fx, fy, fz, depth_on_top;
+  };
+
+  void guarded(const std::function<void()>& write);
+  void write_root(const Scene&, double bulk_density);
+  void write_surface();
+  void write_grid(const RunStart&);
+  void write_flow(hid_t frame, const FrameView&);
+  void write_grains(hid_t frame, const Grains&);
+  void open_series(const RunStart&);
+  void drop_after(double time);
+  void write_waiting();
+
+  std::string path_, scene_text_;
+  double resume_time_;
+  bool failed_ = false;
+  const ReferenceSurface* surface_ = nullptr;
+  Grid grid_;
+  std::vector<double> bed_;
+  long waiting_ = 0;
+  h5::Handle file_, frames_;
+  std::vector<h5::Series> columns_;  // as window_columns()
+  std::vector<ForceColumns> forces_;
+  std::optional<h5::Series> event_time_;
+  std::optional<h5::TextSeries> event_text_;
+};
+
+}  // namespace couloir

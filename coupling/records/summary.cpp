@@ -1,0 +1,150 @@
+#include "coupling/records/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "coupling/records/provenance.hpp"
+#include "coupling/records/reader.hpp"
+#include "coupling/records/text_file.hpp"
+
+namespace couloir {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double rate(double count, double seconds, double wall) {
+  const double over = seconds > 0 ? seconds : wall;
+  return over > 0 ? count / over : 0;
+}
+
+Json time_json(const RunEnd& end, double simulated) {
+  Json time{{"simulated", simulated}, {"wall", end.wall}, {"cpu", end.cpu}};
+  const std::pair<const char*, double> shares[] = {
+      {"continuum", end.cpu_continuum}, {"engine", end.cpu_engine}, {"coupling", end.cpu_coupling}};
+  for (const auto& [name, cpu] : shares) time[std::string("cpu_") + name] = cpu;
+  for (const auto& [name, cpu] : shares) time[std::string("share_") + name] = end.cpu > 0 ? cpu / end.cpu : 0;
+  return time;
+}
+
+}  // namespace
+
+Summary::Summary(const std::string& path, const std::string& records, double resume_time)
+    : path_(path), records_(records), resume_time_(resume_time), min_depth_(std::numeric_limits<double>::infinity()) {}
+
+void Summary::on_start(const RunStart& start) {
+  const Scene& scene = *start.scene;
+  title_ = scene.title;
+  scene_ = scene.file;
+  mode_ = to_string(scene.mode);
+  if (scene.mode != Mode::continuum) engine_ = scene.grains.engine;
+  bulk_density_ = start.bulk_density;
+  has_continuum_ = start.grid.nx > 0;
+  cells_ = long(start.grid.nx) * start.grid.ny;
+  effects_ = start.effects;
+  for (const std::string& name : start.obstacles) obstacles_.push_back({name, {}, 0, 0});
+  if (resume_time_ >= 0) read_back();
+}
+
+void Summary::read_back() {
+  const RecordsReader run(records_);
+  const double until = resume_time_ * (1 + 1e-12);
+  for (const Event& event : run.events())
+    if (event.time <= until) events_.push_back(event);
+  const std::vector<double> time = run.window("time"), length = run.window("length"), residual = run.window("momentum_residual"),
+                            scale = run.window("momentum_scale"), depth = run.window("min_depth"),
+                            overlap = run.window("max_overlap"), speed = run.window("max_speed"), grains = run.window("grains"),
+                            error = run.window("mass_relative_error");
+  std::vector<std::array<std::vector<double>, 4>> forces;
+  for (const Obstacle& o : obstacles_)
+    forces.push_back({run.force(o.name, "fx"), run.force(o.name, "fy"), run.force(o.name, "fz"), run.force(o.name, "depth_on_top")});
+  for (std::size_t k = 0; k < time.size() && time[k] <= until; ++k) {
+    WindowReport window;
+    window.time = time[k], window.length = length[k];
+    window.momentum.residual = residual[k], window.momentum.scale = scale[k];
+    window.min_depth = depth[k], window.max_overlap = overlap[k], window.max_speed = speed[k];
+    window.grains = long(grains[k]);
+    for (const auto& f : forces) window.obstacles.push_back({{f[0][k], f[1][k], f[2][k]}, f[3][k]});
+    mass_error_ = std::max(mass_error_, error[k]);
+    take(window);
+  }
+}
+
+void Summary::on_window(const WindowReport& window) {
+  last_ = window;
+  mass_error_ = std::max(mass_error_, window.mass.relative_error());
+  take(window);
+}
+
+void Summary::take(const WindowReport& window) {
+  if (window.momentum.scale > 0) residual_ = std::max(residual_, std::abs(window.momentum.residual) / window.momentum.scale);
+  min_depth_ = std::min(min_depth_, window.min_depth);
+  max_overlap_ = std::max(max_overlap_, window.max_overlap);
+  max_speed_ = std::max(max_speed_, window.max_speed);
+  peak_grains_ = std::max(peak_grains_, window.grains);
+  for (std::size_t k = 0; k < obstacles_.size() && k < window.obstacles.size(); ++k) {
+    const Vec& f = window.obstacles[k].force;
+    obstacles_[k].along.add(window.time, window.length, f[0], f[0] != 0 || f[1] != 0 || f[2] != 0);
+    obstacles_[k].impulse_across += f[1] * window.length;
+    obstacles_[k].max_depth = std::max(obstacles_[k].max_depth, window.obstacles[k].depth_on_top);
+  }
+}
+
+void Summary::on_event(const Event& event) { events_.push_back(event); }
+
+void Summary::on_finish(const RunEnd& end) {
+  const MassLedger& m = last_.mass;
+  Json out;
+  out["status"] = end.status;
+  out["reason"] = end.reason;
+  out["title"] = title_;
+  out["scene"] = scene_;
+  out["mode"] = mode_;
+  out["revision"] = provenance().revision;
+  out["engine"] = end.engine.empty() ? engine_ : end.engine;
+  out["bulk_density"] = bulk_density_;
+  out["time"] = time_json(end, last_.time);
+  out["mass"] = {{"initial", m.initial},
+                 {"final", m.continuum + m.grains + m.faces + m.airborne},
+                 {"left_domain", m.left_domain},
+                 {"entered", m.entered},
+                 {"overtopped", last_.overtopped},
+                 {"relative_error", mass_error_}};
+  out["momentum"] = {{"relative_residual", residual_}};
+  out["continuum"] = {{"cells", cells_},
+                      {"steps", last_.solver_steps},
+                      {"cell_updates", last_.cell_updates},
+                      {"cell_updates_per_second", rate(double(last_.cell_updates), end.cpu_continuum, end.wall)},
+                      {"min_depth", has_continuum_ && std::isfinite(min_depth_) ? Json(min_depth_) : Json()}};
+  out["grains"] = {{"inserted", last_.inserted},
+                   {"returned", last_.returned},
+                   {"peak_count", std::max(peak_grains_, end.peak_grains)},
+                   {"steps", last_.engine_steps},
+                   {"particle_steps", end.particle_steps},
+                   {"particle_steps_per_second", rate(double(end.particle_steps), end.cpu_engine, end.wall)},
+                   {"max_overlap", max_overlap_}};
+  out["flow"] = {{"max_speed", max_speed_}};
+  out["obstacles"] = Json::object();
+  for (const Obstacle& o : obstacles_) {
+    const ForceFigures f = o.along.figures();
+    out["obstacles"][o.name] = {{"force_peak", f.peak},
+                                {"force_peak_time", f.peak_time},
+                                {"force_peak_window", f.peak_window},
+                                {"force_mean", f.mean},
+                                {"force_final", f.final},
+                                {"first_contact", f.first_contact >= 0 ? Json(f.first_contact) : Json()},
+                                {"impulse", f.impulse},
+                                {"impulse_across", o.impulse_across},
+                                {"max_depth_on_top", o.max_depth}};
+  }
+  out["effects"] = Json::array();
+  for (const Effect& e : effects_) out["effects"].push_back({{"name", e.name}, {"on", e.on}, {"reason", e.reason}});
+  out["events"] = Json::array();
+  for (const Event& e : events_) out["events"].push_back({{"time", e.time}, {"what", e.what}});
+  // A name or an engine's message that is not UTF-8 must not cost the run its summary.
+  text_ = out.dump(2, ' ', false, Json::error_handler_t::replace);
+  write_atomically(path_, text_);
+}
+
+}  // namespace couloir

@@ -1,0 +1,61 @@
+#pragma once
+// RUN/summary.json: the run in a page. Keys are a contract (docs of the verbs); all SI. Written when the run ends, in whatever
+// state: status "done", "interrupted" or "failed", with the reason.
+//
+//   status, reason; title, scene, mode, revision, engine, bulk_density
+//   time      .simulated, .wall, .cpu [s]; .cpu_continuum, .cpu_engine, .cpu_coupling [s] and .share_* of cpu [-]
+//   mass      .initial, .final, .left_domain, .entered, .overtopped [kg]; .relative_error, the largest of all windows
+//             final: what is still in the domain: continuum + grains + faces + airborne
+//   momentum  .relative_residual: largest |residual| / scale of all windows
+//   continuum .cells, .steps, .cell_updates, .cell_updates_per_second (of cpu_continuum), .min_depth [m] (null: no continuum)
+//   grains    .inserted, .returned, .peak_count, .steps, .particle_steps, .particle_steps_per_second (of cpu_engine), .max_overlap
+//   obstacles.<name> .force_peak, .force_peak_time, .force_peak_window, .force_mean, .force_final, .first_contact (null: never),
+//             .impulse, .impulse_across, .max_depth_on_top: of the component along the slope, defined in force_series.hpp
+//   flow      .max_speed [m/s]
+//   effects   [{name, on, reason}];  events [{time, what}]
+
+#include <string>
+#include <vector>
+
+#include "coupling/loop/observer.hpp"
+#include "coupling/records/force_series.hpp"
+
+namespace couloir {
+
+class Summary : public Observer {
+ public:
+  // With `resume_time` >= 0 the windows and events up to then are first read from `records`, so that the peaks and sums
+  // are those of the whole run. Throws RecordError.
+  explicit Summary(const std::string& path, const std::string& records = "", double resume_time = -1);
+  void on_start(const RunStart&) override;
+  void on_window(const WindowReport&) override;
+  void on_event(const Event&) override;
+  void on_finish(const RunEnd&) override;  // writes the file; throws RecordError
+
+  std::string text() const { return text_; }  // what was written; empty before on_finish
+
+ private:
+  void take(const WindowReport&);
+  void read_back();
+
+  struct Obstacle {
+    std::string name;
+    ForceSeries along;
+    double impulse_across = 0, max_depth = 0;
+  };
+
+  std::string path_, records_, text_;
+  double resume_time_;
+  std::string title_, scene_, mode_, engine_;
+  double bulk_density_ = 0;
+  bool has_continuum_ = false;
+  long cells_ = 0;
+  std::vector<Obstacle> obstacles_;
+  std::vector<Effect> effects_;
+  std::vector<Event> events_;
+  WindowReport last_;
+  double mass_error_ = 0, residual_ = 0, min_depth_ = 0, max_overlap_ = 0, max_speed_ = 0;
+  long peak_grains_ = 0;
+};
+
+}  // namespace couloir

@@ -1,0 +1,239 @@
+#include "coupling/scene/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/scene/release_shape.hpp"
+#include "coupling/scene/scene_error.hpp"
+#include "coupling/scene/units.hpp"
+
+namespace couloir {
+namespace {
+
+constexpr double most_cells = 2e7;
+// Grain diameters that an explicit zone must leave: before an obstacle, beside and behind it, and before its own upstream face,
+// where the driven layer lies.
+constexpr double zone_before = 5, zone_around = 2, driven_layer = 3;
+
+std::string len(double value) {
+  return short_quantity(value, Dimension::length);
+}
+
+struct Checker {
+  const Scene& scene;
+  const Places& places;
+
+  template <class... Args>
+  [[noreturn]] void fail(const std::string& key, fmt::format_string<Args...> text, Args&&... args) const {
+    throw SceneError(fmt::format("{}: {} {}", places.of(key), key, fmt::format(text, std::forward<Args>(args)...)));
+  }
+
+  bool continuum() const { return scene.mode != Mode::grains; }
+  bool grains() const { return scene.mode != Mode::continuum; }
+  double length() const { return scene.terrain.total_length(); }
+  double width() const { return scene.terrain.width; }
+  // Lengths are compared with a little room for round-off.
+  double room() const { return 1e-9 * (length() + width()); }
+
+  void material() const {
+    const Material& m = scene.material;
+    if (continuum() && scene.continuum.closure == "active_passive" && m.delta > m.phi) {
+      fail("material.basal_friction_angle",
+           "is {}, above the internal friction angle {}: (2.83) has no real K; lower it, or use continuum.closure: hydraulic",
+           short_quantity(m.delta, Dimension::angle), short_quantity(m.phi, Dimension::angle));
+    }
+  }
+
+  void sides() const {
+    const char* names[] = {"upstream", "downstream", "left", "right"};
+    using Kind = SideSpec::Kind;
+    for (int low = 0; low < 4; low += 2) {
+      const bool first = scene.sides[low].kind == Kind::periodic, second = scene.sides[low + 1].kind == Kind::periodic;
+      if (first != second) {
+        const int given = first ? low : low + 1, other = first ? low + 1 : low;
+        fail(fmt::format("boundaries.{}", names[given]), "is periodic, but boundaries.{} is not; periodic sides come in pairs",
+             names[other]);
+      }
+    }
+    if (scene.sides[0].kind == Kind::periodic && scene.terrain.kind == TerrainSpec::Kind::chute) {
+      fail("boundaries.upstream", "is periodic on a chute, whose ends have different slopes; use wall or outflow");
+    }
+  }
+
+  void release() const {
+    const ReleaseSpec& r = scene.release;
+    if (r.kind == ReleaseSpec::Kind::uniform) return;
+    if (r.kind == ReleaseSpec::Kind::cap && r.height > r.base_radius) {
+      fail("release.height", "is {}, more than the base radius {}: the cap would overhang; lower it to a hemisphere at most",
+           len(r.height), len(r.base_radius));
+    }
+    const Footprint f = release_footprint(scene);
+    if (f.x0 < -room() || f.x1 > length() + room() || f.y0 < -width() / 2 - room() || f.y1 > width() / 2 + room()) {
+      fail("release",
+           "covers x from {} to {} and y from {} to {}, which reaches out of the domain (x from 0 to {}, y from {} to {})",
+           len(f.x0), len(f.x1), len(f.y0), len(f.y1), len(length()), len(-width() / 2), len(width() / 2));
+    }
+  }
+
+  void obstacles() const {
+    for (std::size_t n = 0; n < scene.obstacles.size(); ++n) {
+      obstacle(scene.obstacles[n]);
+      for (std::size_t m = 0; m < n; ++m) apart(scene.obstacles[m], scene.obstacles[n]);
+    }
+  }
+
+  void obstacle(const ObstacleSpec& o) const {
+    const std::string key = "obstacles." + o.name;
+    const double x1 = o.x + o.length, y0 = o.y - o.width / 2, y1 = o.y + o.width / 2;
+    if (o.x < -room() || x1 > length() + room() || y0 < -width() / 2 - room() || y1 > width() / 2 + room()) {
+      fail(key, "covers x from {} to {} and y from {} to {}, which reaches out of the domain (x from 0 to {}, y from {} to {})",
+           len(o.x), len(x1), len(y0), len(y1), len(length()), len(-width() / 2), len(width() / 2));
+    }
+    if (scene.release.kind != ReleaseSpec::Kind::uniform && overlaps_release(o)) {
+      fail(key, "stands in the release; move one of them");
+    }
+    const double cell = scene.continuum.cell;
+    if (continuum() && cell > 0 && std::min(o.length, o.width) < 0.999 * cell) {
+      fail(key + ".size",
+           "is {} by {} on the bed, thinner than a cell ({}), so that the mesh would not see it; use smaller cells",
+           len(o.length), len(o.width), len(cell));
+    }
+  }
+
+  bool overlaps_release(const ObstacleSpec& o) const {
+    // The footprint's point nearest to the release's middle decides: all shapes are convex and symmetric about it.
+    const Footprint f = release_footprint(scene);
+    const double x = std::clamp((f.x0 + f.x1) / 2, o.x, o.x + o.length);
+    const double y = std::clamp(scene.release.y, o.y - o.width / 2, o.y + o.width / 2);
+    if (scene.release.kind == ReleaseSpec::Kind::block) {
+      return o.x < f.x1 - room() && o.x + o.length > f.x0 + room() && o.y - o.width / 2 < f.y1 - room() &&
+             o.y + o.width / 2 > f.y0 + room();
+    }
+    return shape_depth(scene, x, y) > 0;
+  }
+
+  void apart(const ObstacleSpec& a, const ObstacleSpec& b) const {
+    if (a.x < b.x + b.length - room() && b.x < a.x + a.length - room() &&
+        std::abs(a.y - b.y) < (a.width + b.width) / 2 - room()) {
+      fail("obstacles." + b.name, "overlaps obstacles.{}; move one of them", a.name);
+    }
+  }
+
+  void mesh() const {
+    if (!continuum()) return;
+    const double cell = scene.continuum.cell;
+    if (cell == 0) {
+      fail("continuum.cell", "is missing: mode {} needs the edge of a cell, a length such as 5 mm", to_string(scene.mode));
+    }
+    if (cell > length() / 4 || cell > width()) {
+      fail("continuum.cell", "is {}, too large for a domain of {} by {}: it needs 4 cells along the slope and 1 across",
+           len(cell), len(length()), len(width()));
+    }
+    const double cells = length() / cell * width() / cell;
+    if (cells > most_cells) {
+      fail("continuum.cell", "is {}, which makes {:.3g} million cells, more than the {:.3g} million allowed; use at least {}",
+           len(cell), cells * 1e-6, most_cells * 1e-6, len(std::sqrt(length() * width() / most_cells)));
+    }
+  }
+
+  void diameter() const {
+    if (!grains()) return;
+    const double d = scene.grains.diameter;
+    if (d == 0) {
+      fail("grains.diameter",
+           "is missing: mode {} needs a section grains with the diameter of a simulated grain; or use mode: continuum",
+           to_string(scene.mode));
+    }
+    double depth = deepest(scene);
+    for (const SideSpec& side : scene.sides) {
+      if (side.kind == SideSpec::Kind::inflow) depth = std::max(depth, side.depth);
+    }
+    if (d * (1 + scene.grains.spread) > depth) {
+      fail("grains.diameter", "is {}, and with its spread larger than the flow's greatest depth {}; use smaller grains", len(d),
+           len(depth));
+    }
+    for (const ObstacleSpec& o : scene.obstacles) {
+      if (d > std::min(o.height, o.width) / 2) {
+        fail("grains.diameter", "is {}, too large for obstacles.{} ({} wide, {} high): at most half of the smaller", len(d),
+             o.name, len(o.width), len(o.height));
+      }
+    }
+    if (width() < 2 * d)
+      fail("grains.diameter", "is {}, too large for a domain {} wide; use smaller grains", len(d), len(width()));
+  }
+
+  void zone() const {
+    if (scene.mode != Mode::coupled) return;
+    if (!scene.grains.zone) {
+      if (scene.obstacles.empty()) {
+        fail("grains.zone",
+             "is auto, but there is no obstacle to put it around; give a box {{x: [.., ..], y: [.., ..]}} or an obstacle");
+      }
+      return;
+    }
+    const ZoneBox& z = *scene.grains.zone;
+    const double d = scene.grains.diameter;
+    if (z.x1 <= z.x0 || z.y1 <= z.y0) {
+      fail("grains.zone", "is empty: x from {} to {}, y from {} to {}; give [from, to] with from below to", len(z.x0), len(z.x1),
+           len(z.y0), len(z.y1));
+    }
+    if (z.x0 < -room() || z.x1 > length() + room() || z.y0 < -width() / 2 - room() || z.y1 > width() / 2 + room()) {
+      fail("grains.zone", "reaches out of the domain (x from 0 to {}, y from {} to {})", len(length()), len(-width() / 2),
+           len(width() / 2));
+    }
+    if (z.x1 - z.x0 < zone_before * d || z.y1 - z.y0 < zone_around * d) {
+      fail("grains.zone", "is {} by {}, too small for grains of {}: at least {} diameters along and {} across", len(z.x1 - z.x0),
+           len(z.y1 - z.y0), len(d), zone_before, zone_around);
+    }
+    if (z.x0 < driven_layer * d) {
+      fail("grains.zone.x", "starts at {}: upstream of the zone the driven layer of grains needs {} diameters ({})", len(z.x0),
+           driven_layer, len(driven_layer * d));
+    }
+    for (const ObstacleSpec& o : scene.obstacles) zone_around_obstacle(z, o, d);
+  }
+
+  void zone_around_obstacle(const ZoneBox& z, const ObstacleSpec& o, double d) const {
+    const double x1 = o.x + o.length, y0 = o.y - o.width / 2, y1 = o.y + o.width / 2;
+    const bool apart = x1 <= z.x0 || o.x >= z.x1 || y1 <= z.y0 || y0 >= z.y1;
+    if (apart) return;  // the continuum keeps this one; the plan says so
+    if (o.x < z.x0 || x1 > z.x1 || y0 < z.y0 || y1 > z.y1) {
+      fail("grains.zone", "cuts through obstacles.{} (x from {} to {}, y from {} to {}); it must hold it whole", o.name, len(o.x),
+           len(x1), len(y0), len(y1));
+    }
+    const auto near = [&](double gap, double diameters, bool at_side) { return !at_side && gap < diameters * d - room(); };
+    const bool low = z.y0 <= -width() / 2 + room(), high = z.y1 >= width() / 2 - room();
+    if (near(o.x - z.x0, zone_before, false) || near(z.x1 - x1, zone_around, z.x1 >= length() - room()) ||
+        near(y0 - z.y0, zone_around, low) || near(z.y1 - y1, zone_around, high)) {
+      fail("grains.zone",
+           "is too tight around obstacles.{}: it needs {} grain diameters ({}) before it and {} beside and behind it", o.name,
+           zone_before, len(zone_before * d), zone_around);
+    }
+  }
+
+  void zone_holds_some_obstacle() const {
+    if (scene.mode != Mode::coupled || !scene.grains.zone || scene.obstacles.empty()) return;
+    const ZoneBox& z = *scene.grains.zone;
+    for (const ObstacleSpec& o : scene.obstacles) {
+      if (o.x >= z.x0 && o.x + o.length <= z.x1 && o.y - o.width / 2 >= z.y0 && o.y + o.width / 2 <= z.y1) return;
+    }
+    fail("grains.zone", "holds none of the scene's obstacles; move it, or use zone: auto");
+  }
+};
+
+}  // namespace
+
+void check_scene(const Scene& scene, const Places& places) {
+  const Checker check{scene, places};
+  check.material();
+  check.sides();
+  check.release();
+  check.mesh();
+  check.obstacles();
+  check.diameter();
+  check.zone();
+  check.zone_holds_some_obstacle();
+}
+
+}  // namespace couloir

@@ -1,0 +1,100 @@
+#include "coupling/scene/reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "coupling/scene/binder.hpp"
+#include "coupling/scene/check.hpp"
+#include "coupling/scene/document.hpp"
+#include "coupling/scene/names.hpp"
+#include "coupling/scene/scene_error.hpp"
+
+namespace couloir {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> names_of_materials(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+void mark_si(Node& node) {
+  node.si = true;
+  for (Node& item : node.items) mark_si(item);
+  for (auto& [name, entry] : node.entries) mark_si(entry);
+}
+
+// A material given by name becomes the mapping in its file, so that the rest of the reader knows one form only.
+void expand_material(Node& material, const std::string& folder) {
+  if (material.kind != Node::Kind::text) return;
+  const std::string name = material.text, place = material.place;
+  const auto names = names_of_materials(folder);
+  if (std::ranges::count(names, name) == 0) {
+    const std::string there =
+        names.empty() ? fmt::format("there are no materials in {}", folder) : fmt::format("there are {}", fmt::join(names, ", "));
+    const std::string nearest = nearest_name(name, names);
+    throw SceneError(fmt::format("{}: material '{}' is unknown; {}, or write its keys inline{}", place, name, there,
+                                 nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+  }
+  const std::string path = (fs::path(folder) / (name + ".yaml")).string();
+  material = parse_document(read_document_text(path), path);
+  if (material.kind != Node::Kind::mapping) throw SceneError(path + ": a material file must hold a mapping of keys");
+  if (!material.find("name")) material.entry("name") = Node::of_text(name, path + ":1");
+  mark_si(material);
+}
+
+// Puts `text` where the dotted key leads; the binder judges the result like the rest of the file.
+void apply_override(Node& document, const std::string& key, const std::string& text, const std::string& materials) {
+  const std::string place = "--set " + key;
+  std::istringstream words(key);
+  Node* node = &document;
+  std::string path, word;
+  while (std::getline(words, word, '.')) {
+    if (word.empty()) throw SceneError(fmt::format("{}: the key has an empty part; write it like grains.seed", place));
+    if (path == "material") expand_material(*node, materials);
+    if (node->kind == Node::Kind::nothing) node->kind = Node::Kind::mapping;
+    if (node->kind != Node::Kind::mapping) {
+      throw SceneError(fmt::format("{0}: {1} is {2}, not a mapping; set it whole: --set {1}={{{3}: ...}}", place, path,
+                                   describe(*node), word));
+    }
+    node = &node->entry(word);
+    if (node->place.empty()) node->place = place;
+    path += (path.empty() ? "" : ".") + word;
+  }
+  if (path.empty() || key.back() == '.')
+    throw SceneError(fmt::format("{}: the key has an empty part; write it like grains.seed", place));
+  *node = parse_value(text, place);
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path, const std::string& materials, const Overrides& overrides) {
+  std::error_code error;
+  const std::string file = fs::is_directory(path, error) ? (fs::path(path) / "scene.yaml").string() : path;
+  Scene scene;
+  scene.file = path;
+  scene.text = read_document_text(file);
+
+  Node document = parse_document(scene.text, file);
+  for (const auto& [key, text] : overrides) apply_override(document, key, text, materials);
+  for (auto& [name, entry] : document.entries) {
+    if (name == "material") expand_material(entry, materials);
+  }
+
+  Places places(file);
+  bind(document, scene, places);
+  check_scene(scene, places);
+  return scene;
+}
+
+}  // namespace couloir

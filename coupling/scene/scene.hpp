@@ -1,0 +1,113 @@
+#pragma once
+// A run as plain data: SI units, radians, complete (every default filled in). Made by the reader, used by everybody.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace couloir {
+
+enum class Mode { continuum, coupled, grains };
+const char* to_string(Mode);
+
+struct TerrainSpec {
+  enum class Kind { flat, incline, chute } kind = Kind::incline;
+  double angle = 0;                       // [rad] of the incline
+  double length = 0;                      // [m] flat, incline: along the surface
+  double slope = 0, arc = 0, runout = 0;  // [m] chute: lengths along the surface
+  double width = 0;                       // [m]; y runs from -width/2 to width/2
+  double total_length() const { return kind == Kind::chute ? slope + arc + runout : length; }
+};
+
+struct GrainMaterial {
+  double friction = 0.5;                // between grains [-]
+  double base_friction = 0.4;           // grain on bed [-]
+  double wall_friction = 0.5;           // grain on obstacle [-]
+  double side_friction = 0.0;           // grain on side wall [-]
+  double rolling_friction = 0.15;       // between grains [-]
+  double base_rolling_friction = 0.15;  // grain on bed, obstacle and sides [-]
+  double restitution = 0.5;             // [-]
+  double youngs_modulus = 5e6;          // [Pa]
+  double poisson_ratio = 0.25;          // [-]
+};
+
+struct Material {
+  std::string name;
+  double density = 0;   // [kg/m3] bulk
+  double phi = 0;       // [rad] internal friction angle
+  double delta = 0;     // [rad] basal friction angle
+  double diameter = 0;  // [m] mean grain diameter of the real material; 0: not known
+  GrainMaterial grain;
+  std::string source;  // where the numbers come from
+};
+
+struct ReleaseSpec {
+  enum class Kind { cap, ellipsoid, block, uniform } kind = Kind::cap;
+  double x = 0, y = 0;                        // [m] centre (cap, ellipsoid); upper edge and centre line (block)
+  double base_radius = 0, height = 0;         // [m] cap: spherical; block, uniform: height is the depth
+  double semi_x = 0, semi_y = 0, semi_z = 0;  // [m] ellipsoid
+  double length = 0, width = 0;               // [m] block
+  double velocity = 0;                        // [m/s] downslope, at the start
+  double mass = 0;                            // [kg] 0: what the geometry holds; else the depth is scaled to hold it
+};
+
+struct ObstacleSpec {
+  std::string name;
+  double x = 0, y = 0;                       // [m] middle of the upstream edge of the footprint
+  double length = 0, width = 0, height = 0;  // [m] along the slope, across it, along the normal
+};
+
+struct SideSpec {
+  enum class Kind { wall, outflow, periodic, inflow } kind = Kind::outflow;
+  double depth = 0, velocity = 0;  // inflow only
+};
+
+struct ContinuumSpec {
+  double cell = 0;  // [m]
+  double cfl = 0.45;
+  std::string closure = "active_passive";  // | hydraulic
+  std::string limiter = "minmod";          // | van_leer | mc | superbee
+  std::string curvature = "automatic";     // | on | off
+};
+
+struct ZoneBox {
+  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // [m]
+};
+
+struct GrainSpec {
+  std::string engine = "liggghts";
+  int ranks = 1;
+  double diameter = 0;          // [m]
+  double spread = 0.1;          // radii are uniform within +-spread of the mean
+  std::optional<ZoneBox> zone;  // empty: automatic
+  int window = 40;              // engine steps in a coupling window
+  double timestep = 0;          // [s] 0: a fixed share of the Rayleigh time
+  long seed = 20011;            // packing and radii
+  double timeout = 120;         // [s] without an answer from the engine before it counts as dead
+};
+
+struct RecordSpec {
+  double frames = 0.02;      // [s] between frames
+  double forces = 0.001;     // [s] between rows of forces.csv, at least
+  double checkpoint = 0.25;  // [s] simulated time between checkpoints
+};
+
+struct Scene {
+  std::string title;
+  std::string file;  // as given on the command line
+  std::string text;  // the file's own text
+  Mode mode = Mode::coupled;
+  double gravity = 9.81;  // [m/s2]
+  TerrainSpec terrain;
+  Material material;
+  ReleaseSpec release;
+  std::vector<ObstacleSpec> obstacles;
+  std::array<SideSpec, 4> sides{};  // upstream, downstream, left, right
+  ContinuumSpec continuum;
+  GrainSpec grains;
+  RecordSpec record;
+  double duration = 0;  // [s]
+};
+
+}  // namespace couloir

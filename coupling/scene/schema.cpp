@@ -1,0 +1,296 @@
+#include "coupling/scene/schema.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <tuple>
+#include <type_traits>
+
+#include "coupling/scene/schema_builder.hpp"
+
+namespace couloir {
+namespace {
+
+using enum Dimension;
+using namespace schema_builder;
+
+constexpr double deg = std::numbers::pi / 180;
+
+// `s.member` for a const and for a mutable Scene alike.
+#define COULOIR_AT(member)                       \
+  [](auto& s, [[maybe_unused]] int i) -> auto& { \
+    return s.member;                             \
+  }
+
+void add_run(Keys& k) {
+  k.add(text("title", "what the run is about, in one line", COULOIR_AT(title)));
+  k.add(choice("mode", "which models run", {"continuum", "coupled", "grains"}, COULOIR_AT(mode)));
+  k.add(number("gravity", acceleration, "gravitational acceleration", COULOIR_AT(gravity)).above(0));
+  k.add(mapping("scales", "bare numbers are multiples of the scales (2.47) that these set; angles still need units").unwritten());
+  k.add(own_number("scales.length", length, "the length L; time sqrt(L/g), velocity sqrt(L g), mass density L^3")
+            .above(0)
+            .required());
+}
+
+void add_terrain(Keys& k) {
+  k.add(mapping("terrain", "the reference surface; x runs down it from the upper edge, y across it from the centre line")
+            .required());
+  k.add(choice("terrain.kind", "its shape", {"flat", "incline", "chute"}, COULOIR_AT(terrain.kind)).required());
+  k.add(number("terrain.angle", angle, "inclination of the incline", COULOIR_AT(terrain.angle))
+            .within(0, 89 * deg)
+            .required()
+            .when("kind", {"incline", "chute"}));
+  k.add(number("terrain.length", length, "along the surface", COULOIR_AT(terrain.length))
+            .above(0)
+            .required()
+            .when("kind", {"flat", "incline"}));
+  k.add(number("terrain.slope", length, "of the incline, along the surface", COULOIR_AT(terrain.slope))
+            .above(0)
+            .required()
+            .when("kind", {"chute"}));
+  k.add(number("terrain.arc", length, "of the arc between incline and run-out, along the surface", COULOIR_AT(terrain.arc))
+            .above(0)
+            .required()
+            .when("kind", {"chute"}));
+  k.add(number("terrain.runout", length, "of the level run-out", COULOIR_AT(terrain.runout))
+            .above(0)
+            .required()
+            .when("kind", {"chute"}));
+  k.add(
+      number("terrain.width", length, "across; y runs from -width/2 to width/2", COULOIR_AT(terrain.width)).above(0).required());
+}
+
+// A material's grain parameters; `prefix` is where they are written, there or as overrides in the scene's grains.
+void add_grain_material(Keys& k, const std::string& prefix, Presence presence) {
+  const auto add = [&](const char* name, Dimension dimension, const char* help, Bounds bounds, auto member) {
+    const auto at = [member](auto& s, int) -> auto& {
+      return s.material.grain.*member;
+    };
+    KeyBuilder key = number(prefix + name, dimension, help, at).bounded(bounds).with(presence);
+    k.add(presence == Presence::optional ? key.unwritten() : key);
+  };
+  using G = GrainMaterial;
+  add("friction", none, "Coulomb friction between grains", {0, 5}, &G::friction);
+  add("base_friction", none, "Coulomb friction of a grain on the bed", {0, 5}, &G::base_friction);
+  add("wall_friction", none, "Coulomb friction of a grain on an obstacle", {0, 5}, &G::wall_friction);
+  add("side_friction", none, "Coulomb friction of a grain on a side wall", {0, 5}, &G::side_friction);
+  add("rolling_friction", none, "rolling friction between grains", {0, 5}, &G::rolling_friction);
+  add("base_rolling_friction", none, "rolling friction of a grain on bed, obstacles and sides", {0, 5},
+      &G::base_rolling_friction);
+  add("restitution", none, "coefficient of restitution", {0.05, 1}, &G::restitution);
+  add("youngs_modulus", pressure, "stiffness of a grain; LIGGGHTS takes no less than 5 MPa", {5e6, 1e12}, &G::youngs_modulus);
+  add("poisson_ratio", none, "Poisson's ratio of a grain", {0, 0.49}, &G::poisson_ratio);
+}
+
+void add_material(Keys& k) {
+  k.add(mapping("material", "a name in dem_inputs/materials, or the same keys inline").required());
+  k.add(text("material.name", "for reports", COULOIR_AT(material.name)));
+  k.add(number("material.density", density, "bulk density of the flow", COULOIR_AT(material.density)).above(0).required());
+  k.add(number("material.internal_friction_angle", angle, "phi", COULOIR_AT(material.phi)).within(0, 89 * deg).required());
+  k.add(number("material.basal_friction_angle", angle, "delta", COULOIR_AT(material.delta)).within(0, 89 * deg).required());
+  k.add(number("material.diameter", length, "mean grain diameter of the real material", COULOIR_AT(material.diameter))
+            .above(0)
+            .optional());
+  k.add(text("material.source", "where the numbers come from", COULOIR_AT(material.source)));
+  k.add(mapping("material.grains", "parameters of its grains"));
+  add_grain_material(k, "material.grains.", Presence::defaulted);
+}
+
+void add_release(Keys& k) {
+  const auto centre = [](auto& s, int) { return std::tie(s.release.x, s.release.y); };
+  const auto semi_axes = [](auto& s, int) { return std::tie(s.release.semi_x, s.release.semi_y, s.release.semi_z); };
+  k.add(mapping("release", "the mass at the start").required());
+  k.add(choice("release.kind", "its shape", {"cap", "ellipsoid", "block", "uniform"}, COULOIR_AT(release.kind)).required());
+  k.add(numbers("release.centre", length, "[x, y] of the middle", centre).required().when("kind", {"cap", "ellipsoid"}));
+  k.add(numbers("release.position", length, "[x, y] of the middle of the upper edge", centre).required().when("kind", {"block"}));
+  k.add(number("release.base_radius", length, "of the spherical cap's base", COULOIR_AT(release.base_radius))
+            .above(0)
+            .required()
+            .when("kind", {"cap"}));
+  k.add(numbers("release.semi_axes", length, "[along, across, normal] of the semi-ellipsoid", semi_axes)
+            .above(0)
+            .required()
+            .when("kind", {"ellipsoid"}));
+  k.add(number("release.length", length, "along the slope", COULOIR_AT(release.length))
+            .above(0)
+            .required()
+            .when("kind", {"block"}));
+  k.add(
+      number("release.width", length, "across the slope", COULOIR_AT(release.width)).above(0).required().when("kind", {"block"}));
+  k.add(number("release.height", length, "greatest depth, along the normal; uniform: the depth everywhere",
+               COULOIR_AT(release.height))
+            .above(0)
+            .required()
+            .when("kind", {"cap", "block", "uniform"}));
+  k.add(number("release.velocity", velocity, "downslope, at the start", COULOIR_AT(release.velocity)));
+  k.add(number("release.mass", mass, "the depth is scaled to hold it; missing: what the geometry holds", COULOIR_AT(release.mass))
+            .above(0)
+            .optional()
+            .when("kind", {"cap", "ellipsoid", "block"}));
+}
+
+void add_obstacles(Keys& k) {
+  const auto position = [](auto& s, int i) {
+    auto& o = s.obstacles[i];
+    return std::tie(o.x, o.y);
+  };
+  const auto size = [](auto& s, int i) {
+    auto& o = s.obstacles[i];
+    return std::tie(o.length, o.width, o.height);
+  };
+  k.add(named("obstacles", "solid bodies on the bed, by names of your choice"));
+  k.add(fixed_choice("obstacles.*.shape", "its shape", "cuboid"));
+  k.add(
+      numbers("obstacles.*.position", length, "[x, y] of the middle of the upstream edge of the footprint", position).required());
+  k.add(numbers("obstacles.*.size", length, "[along, across, normal]", size).above(0).required());
+  k.add(fixed_choice("obstacles.*.method", "step: the bed jumps, nothing flows through", "step"));
+}
+
+void add_boundaries(Keys& k) {
+  k.add(mapping("boundaries", "what the sides of the domain do"));
+  const char* sides[] = {"upstream", "downstream", "left", "right"};
+  for (int side = 0; side < 4; ++side) {
+    const std::string path = std::string("boundaries.") + sides[side];
+    const std::vector<std::string> words{"wall", "outflow", "periodic"};
+    Key key = mapping(path, side < 2 ? "this end" : side == 2 ? "the side of low y" : "the side of high y").build();
+    key.choices = words;
+    key.get = [=](const Scene& s, int) -> Value {
+      return s.sides[side].kind == SideSpec::Kind::inflow ? "" : words[static_cast<int>(s.sides[side].kind)];
+    };
+    key.set = [=](Scene& s, int, const Value& value) {
+      for (int kind = 0; kind < 3; ++kind) {
+        if (std::get<std::string>(value) == words[kind]) s.sides[side].kind = static_cast<SideSpec::Kind>(kind);
+      }
+    };
+    k.add(key);
+    Key inflow = mapping(path + ".inflow", "material comes in").required().build();
+    inflow.enter = [=](Scene& s, int) { s.sides[side].kind = SideSpec::Kind::inflow; };
+    k.add(inflow);
+    k.add(number(
+              path + ".inflow.depth", length, "along the normal", [=](auto& s, int) -> auto& { return s.sides[side].depth; })
+              .above(0)
+              .required());
+    k.add(number(
+              path + ".inflow.velocity", velocity, "inward", [=](auto& s, int) -> auto& { return s.sides[side].velocity; })
+              .above(0)
+              .required());
+  }
+}
+
+void add_continuum(Keys& k) {
+  k.add(mapping("continuum", "the depth-averaged solver"));
+  k.add(number("continuum.cell", length, "edge of a cell; adjusted so that the domain holds a whole number",
+               COULOIR_AT(continuum.cell))
+            .above(0)
+            .optional());
+  k.add(number("continuum.cfl", none, "Courant number; at 0.5 ends the scheme's positivity", COULOIR_AT(continuum.cfl))
+            .above(0)
+            .upto(0.5));
+  k.add(word("continuum.closure", "earth pressure: (2.83)-(2.86), or K = 1", {"active_passive", "hydraulic"},
+             COULOIR_AT(continuum.closure)));
+  k.add(word("continuum.limiter", "of the reconstruction", {"minmod", "van_leer", "mc", "superbee"},
+             COULOIR_AT(continuum.limiter)));
+  k.add(word("continuum.curvature", "the term kappa u^2 in the friction; automatic: where the surface has an arc",
+             {"automatic", "on", "off"}, COULOIR_AT(continuum.curvature)));
+}
+
+void add_grains(Keys& k) {
+  k.add(mapping("grains", "the discrete-element engine; needed in the modes coupled and grains"));
+  k.add(word("grains.engine", "which engine", {"liggghts"}, COULOIR_AT(grains.engine)));
+  k.add(integer("grains.ranks", "MPI ranks of the engine", COULOIR_AT(grains.ranks)).within(1, 1024));
+  k.add(number("grains.diameter", length, "mean diameter of a simulated grain", COULOIR_AT(grains.diameter)).above(0).optional());
+  k.add(number("grains.spread", none, "radii are uniform within +-spread of the mean", COULOIR_AT(grains.spread)).within(0, 0.5));
+
+  Key zone = mapping("grains.zone", "where grains replace the continuum: auto (around the obstacles) or a box").build();
+  zone.choices = {"auto"};
+  zone.get = [](const Scene& s, int) -> Value { return s.grains.zone ? "" : "auto"; };
+  zone.set = [](Scene& s, int, const Value&) { s.grains.zone.reset(); };
+  zone.enter = [](Scene& s, int) { s.grains.zone.emplace(); };
+  k.add(zone);
+  k.add(numbers("grains.zone.x", length, "[from, to] along the slope", [](auto& s, int) {
+          return std::tie(s.grains.zone->x0, s.grains.zone->x1);
+        }).required());
+  k.add(numbers("grains.zone.y", length, "[from, to] across the slope", [](auto& s, int) {
+          return std::tie(s.grains.zone->y0, s.grains.zone->y1);
+        }).required());
+
+  k.add(integer("grains.window", "engine steps in a coupling window", COULOIR_AT(grains.window)).within(1, 100000));
+  k.add(number("grains.timestep", time, "of the engine; 0: a fixed share of the Rayleigh time", COULOIR_AT(grains.timestep))
+            .within(0, 1));
+  k.add(integer("grains.seed", "of the packing and the radii", COULOIR_AT(grains.seed)).within(1, 2147483647));
+  k.add(number("grains.timeout", time, "without an answer before the engine counts as dead", COULOIR_AT(grains.timeout))
+            .within(1, 86400));
+  add_grain_material(k, "grains.", Presence::optional);
+}
+
+void add_record(Keys& k) {
+  k.add(mapping("record", "what is written and how often"));
+  k.add(number("record.frames", time, "between frames", COULOIR_AT(record.frames)).above(0));
+  k.add(number("record.forces", time, "between rows of forces.csv, at least", COULOIR_AT(record.forces)).above(0));
+  k.add(number("record.checkpoint", time, "simulated, between checkpoints", COULOIR_AT(record.checkpoint)).above(0));
+  k.add(number("duration", time, "simulated", COULOIR_AT(duration)).above(0).required());
+}
+
+#undef COULOIR_AT
+
+}  // namespace
+
+std::string Key::parent() const {
+  const auto dot = path.rfind('.');
+  return dot == std::string::npos ? "" : path.substr(0, dot);
+}
+
+std::string Key::name() const {
+  const auto dot = path.rfind('.');
+  return dot == std::string::npos ? path : path.substr(dot + 1);
+}
+
+const std::vector<Key>& schema() {
+  static const std::vector<Key> keys = [] {
+    Keys k;
+    add_run(k);
+    add_material(k);  // before the lengths and masses: its density makes the mass scale
+    add_terrain(k);
+    add_release(k);
+    add_obstacles(k);
+    add_boundaries(k);
+    add_continuum(k);
+    add_grains(k);
+    add_record(k);
+    return k.take();
+  }();
+  return keys;
+}
+
+std::vector<const Key*> children(const std::string& parent) {
+  std::vector<const Key*> found;
+  for (const Key& key : schema()) {
+    if (key.parent() == parent) found.push_back(&key);
+  }
+  return found;
+}
+
+const Key& schema_key(const std::string& path) {
+  for (const Key& key : schema()) {
+    if (key.path == path) return key;
+  }
+  throw std::out_of_range("the scene schema has no key " + path);
+}
+
+std::string allowed_values(const Key& key) {
+  if (!key.choices.empty()) return fmt::format("{}", fmt::join(key.choices, ", "));
+  const Bounds& b = key.bounds;
+  const bool whole = key.kind == ValueKind::integer;
+  const auto show = [&](double v) { return whole ? fmt::format("{:.0f}", v) : short_quantity(v, key.dimension); };
+  const bool low = std::isfinite(b.least), high = std::isfinite(b.most);
+  if (low && high && b.above) return fmt::format("above {} and at most {}", show(b.least), show(b.most));
+  if (low && high) return fmt::format("from {} to {}", show(b.least), show(b.most));
+  if (low) return fmt::format("{} {}", b.above ? "above" : "at least", show(b.least));
+  if (high) return fmt::format("at most {}", show(b.most));
+  return "";
+}
+
+}  // namespace couloir

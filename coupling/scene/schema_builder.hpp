@@ -1,0 +1,161 @@
+#pragma once
+// Short words with which schema.cpp writes its table.
+
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "coupling/scene/schema.hpp"
+
+namespace couloir::schema_builder {
+
+class KeyBuilder {
+ public:
+  KeyBuilder(std::string path, ValueKind kind, std::string help) {
+    key_.path = std::move(path);
+    key_.kind = kind;
+    key_.help = std::move(help);
+  }
+  KeyBuilder& dimension(Dimension d) {
+    key_.dimension = d;
+    return *this;
+  }
+  KeyBuilder& bounded(Bounds b) {
+    key_.bounds = b;
+    return *this;
+  }
+  KeyBuilder& within(double least, double most) { return bounded({least, most, false}); }
+  KeyBuilder& above(double least) {
+    key_.bounds.least = least;
+    key_.bounds.above = true;
+    return *this;
+  }
+  KeyBuilder& upto(double most) {
+    key_.bounds.most = most;
+    return *this;
+  }
+  KeyBuilder& with(Presence presence) {
+    key_.presence = presence;
+    return *this;
+  }
+  KeyBuilder& required() { return with(Presence::required); }
+  KeyBuilder& optional() { return with(Presence::optional); }
+  KeyBuilder& unwritten() {
+    key_.written = false;
+    return *this;
+  }
+  KeyBuilder& when(std::string selector, std::vector<std::string> selected) {
+    key_.selector = std::move(selector);
+    key_.selected = std::move(selected);
+    return *this;
+  }
+  Key& key() { return key_; }
+  Key build() const { return key_; }
+
+ private:
+  Key key_;
+};
+
+class Keys {
+ public:
+  void add(const KeyBuilder& builder) { keys_.push_back(builder.build()); }
+  void add(const Key& key) { keys_.push_back(key); }
+  std::vector<Key> take() { return std::move(keys_); }
+
+ private:
+  std::vector<Key> keys_;
+};
+
+inline KeyBuilder mapping(const std::string& path, const std::string& help) {
+  return {path, ValueKind::mapping, help};
+}
+inline KeyBuilder named(const std::string& path, const std::string& help) {
+  return {path, ValueKind::named, help};
+}
+
+// A number that the reader keeps for itself.
+inline KeyBuilder own_number(const std::string& path, Dimension dimension, const std::string& help) {
+  return KeyBuilder(path, ValueKind::number, help).dimension(dimension);
+}
+
+// `at(scene, index)` gives a reference to the member.
+template <class At>
+KeyBuilder number(const std::string& path, Dimension dimension, const std::string& help, At at) {
+  KeyBuilder builder = own_number(path, dimension, help);
+  builder.key().get = [at](const Scene& s, int i) -> Value { return static_cast<double>(at(s, i)); };
+  builder.key().set = [at](Scene& s, int i, const Value& v) { at(s, i) = std::get<double>(v); };
+  return builder;
+}
+
+// `at(scene, index)` gives a std::tie of the members.
+template <class At>
+KeyBuilder numbers(const std::string& path, Dimension dimension, const std::string& help, At at) {
+  using Tie = std::invoke_result_t<At, Scene&, int>;
+  KeyBuilder builder = KeyBuilder(path, ValueKind::numbers, help).dimension(dimension);
+  builder.key().count = static_cast<int>(std::tuple_size_v<Tie>);
+  builder.key().get = [at](const Scene& s, int i) -> Value {
+    return std::apply([](const auto&... x) { return std::vector<double>{x...}; }, at(s, i));
+  };
+  builder.key().set = [at](Scene& s, int i, const Value& v) {
+    std::size_t n = 0;
+    const auto& list = std::get<std::vector<double>>(v);
+    std::apply([&](auto&... x) { ((x = list[n++]), ...); }, at(s, i));
+  };
+  return builder;
+}
+
+template <class At>
+KeyBuilder integer(const std::string& path, const std::string& help, At at) {
+  KeyBuilder builder(path, ValueKind::integer, help);
+  builder.key().get = [at](const Scene& s, int i) -> Value { return static_cast<long>(at(s, i)); };
+  builder.key().set = [at](Scene& s, int i, const Value& v) {
+    auto& member = at(s, i);
+    member = static_cast<std::remove_reference_t<decltype(member)>>(std::get<long>(v));
+  };
+  return builder;
+}
+
+template <class At>
+KeyBuilder text(const std::string& path, const std::string& help, At at) {
+  KeyBuilder builder(path, ValueKind::text, help);
+  builder.key().get = [at](const Scene& s, int i) -> Value { return at(s, i); };
+  builder.key().set = [at](Scene& s, int i, const Value& v) { at(s, i) = std::get<std::string>(v); };
+  return builder;
+}
+
+// A choice kept as the word itself.
+template <class At>
+KeyBuilder word(const std::string& path, const std::string& help, std::vector<std::string> choices, At at) {
+  KeyBuilder builder = text(path, help, at);
+  builder.key().kind = ValueKind::choice;
+  builder.key().choices = std::move(choices);
+  return builder;
+}
+
+// A choice kept as an enum whose values are the choices in order.
+template <class At>
+KeyBuilder choice(const std::string& path, const std::string& help, const std::vector<std::string>& choices, At at) {
+  KeyBuilder builder(path, ValueKind::choice, help);
+  builder.key().choices = choices;
+  builder.key().get = [at, choices](const Scene& s, int i) -> Value { return choices[static_cast<std::size_t>(at(s, i))]; };
+  builder.key().set = [at, choices](Scene& s, int i, const Value& v) {
+    auto& member = at(s, i);
+    for (std::size_t n = 0; n < choices.size(); ++n) {
+      if (std::get<std::string>(v) == choices[n]) member = static_cast<std::remove_reference_t<decltype(member)>>(n);
+    }
+  };
+  return builder;
+}
+
+// A choice of which there is one today.
+inline KeyBuilder fixed_choice(const std::string& path, const std::string& help, const std::string& only) {
+  KeyBuilder builder(path, ValueKind::choice, help);
+  builder.key().choices = {only};
+  builder.key().get = [only](const Scene&, int) -> Value { return only; };
+  builder.key().set = [](Scene&, int, const Value&) {};
+  return builder;
+}
+
+}  // namespace couloir::schema_builder

@@ -1,0 +1,77 @@
+#include "coupling/transfer/conveyor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace couloir {
+
+Conveyor::Conveyor(const RimFace& face, int face_index, const PackingTable& table, double layer)
+    : face_(&face), face_index_(face_index), table_(&table), layer_(layer), candidates_(face.segments), state_(face.segments) {
+  const Packing& block = table.packing();
+  const double extent = face.cells * face.cell_width;
+  for (double offset = 0; offset < extent; offset += block.width)
+    for (const auto& grain : block.grains) {
+      const double along = offset + grain.y;
+      if (along >= extent) continue;
+      const int segment = face.segment_of_cell(face.cell_at(along));
+      candidates_[segment].push_back({block.length - grain.x, along, grain.z, grain.r});
+    }
+  for (auto& list : candidates_)
+    std::stable_sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) { return a.x < b.x; });
+}
+
+void Conveyor::advance(int segment, double displacement, double mass, const std::vector<double>& depth, double velocity,
+                       double along, double dt, const Occupied& occupied, std::int64_t& next_id, std::vector<NewGrain>& out) {
+  State& s = state_[segment];
+  const auto& list = candidates_[segment];
+  const double before = s.position, owed_before = s.owed;
+  s.position += displacement;
+  s.owed += mass;
+  if (list.empty()) return;
+
+  const double block = table_->packing().length;
+  const double d = 2 * list.front().r;
+  const int first_cell = segment * face_->cells_per_segment;
+  const int cells = std::min(face_->cells, first_cell + face_->cells_per_segment) - first_cell;
+  const double area = cells * face_->cell_width * 4 * d;  // over which a debt is spread
+  const Vec& o = face_->drive.origin;
+  const Vec& n = face_->drive.inward;
+  const Vec& a = face_->drive.along;
+  // Upward normal of the face's frame: n x a, turned up.
+  Vec up{n[1] * a[2] - n[2] * a[1], n[2] * a[0] - n[0] * a[2], n[0] * a[1] - n[1] * a[0]};
+  if (up[2] < 0) up = {-up[0], -up[1], -up[2]};
+
+  double taken = 0;
+  for (;; ++s.passed) {
+    const Candidate& c = list[s.passed % list.size()];
+    const double x = c.x + double(s.passed / long(list.size())) * block;
+    if (x > s.position) break;
+    // What was owed at the instant this grain passed, were the flow's mass spread evenly over the displacement.
+    const double share = displacement > 0 ? std::clamp((x - before) / displacement, 0.0, 1.0) : 1.0;
+    const double owed = owed_before + share * mass - taken;
+    const double h = depth[face_->cell_at(c.along)];
+    if (h <= 0 || c.z > table_->cut(table_->bulk_density() * h + owed / area)) continue;
+    const double m = table_->grain_mass(c.r);
+    if (owed < -4 * m) continue;  // the tail of a flow: nothing left to take
+
+    // It moves with the raft once before its first force is computed.
+    const double distance = -layer_ + (s.position - x) + velocity * dt;
+    const double z = std::max(c.z, c.r);  // no overlap with the bed from the weight of a deeper block
+    Vec p;
+    for (int q = 0; q < 3; ++q) p[q] = o[q] + distance * n[q] + c.along * a[q] + z * up[q];
+    if (occupied(segment, p, c.r)) continue;
+    Vec v;
+    for (int q = 0; q < 3; ++q) v[q] = velocity * n[q] + along * a[q];
+    out.push_back({next_id++, p, v, c.r, face_index_, segment});
+    taken += m;
+  }
+  s.owed -= taken;
+}
+
+double Conveyor::owed() const {
+  double sum = 0;
+  for (const auto& s : state_) sum += s.owed;
+  return sum;
+}
+
+}  // namespace couloir

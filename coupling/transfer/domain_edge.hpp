@@ -1,0 +1,28 @@
+#pragma once
+// Grains that leave the domain through an open side: taken out, and their mass and momentum booked.
+
+#include <array>
+#include <vector>
+
+#include "continuum/terrain/reference_surface.hpp"
+#include "coupling/engine/grain_engine.hpp"
+
+namespace couloir {
+
+class DomainEdge {
+ public:
+  // open[side]: upstream, downstream, left, right. length, width [m].
+  DomainEdge(std::array<bool, 4> open, double length, double width, double grain_density)
+      : open_(open), length_(length), width_(width), density_(grain_density) {}
+
+  // Appends the ids of those outside.
+  void take(const Grains&, const ReferenceSurface&, std::vector<std::int64_t>& remove);
+  double mass() const { return mass_; }            // [kg] since the start
+  double momentum() const { return momentum_; }    // [N s] along X of the tilted frame, since the start
+
+ private:
+  std::array<bool, 4> open_;
+  double length_, width_, density_, mass_ = 0, momentum_ = 0;
+};
+
+}  // namespace couloir

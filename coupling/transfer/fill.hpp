@@ -1,0 +1,22 @@
+#pragma once
+// A body of grains at rest or in uniform motion, cut from a settled packing so that it has a given depth everywhere.
+
+#include <functional>
+#include <vector>
+
+#include "continuum/solver.hpp"
+#include "coupling/transfer/packing_table.hpp"
+
+namespace couloir {
+
+struct FillBox {
+  double x0, x1, y0, y1;  // [m] reference coordinates
+};
+
+// Grains whose centres lie in the box and below the height that holds the flow's mass at their place; ids from next_id.
+// `mass` [kg] > 0: the depth is scaled (a few per mille) until the grains weigh that, to half a grain; 0: as it comes.
+// Throws std::invalid_argument where the depth exceeds the packing's.
+std::vector<NewGrain> fill(const FillBox&, const std::function<FlowState(double x, double y)>& flow, double mass,
+                           const PackingTable&, const ReferenceSurface&, std::int64_t& next_id);
+
+}  // namespace couloir

@@ -1,0 +1,70 @@
+#include "coupling/transfer/rim.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace couloir {
+namespace {
+
+Vec to_vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+double dot_offset(const Vec& p, const Vec& origin, const Vec& direction) {
+  return (p[0] - origin[0]) * direction[0] + (p[1] - origin[1]) * direction[1] + (p[2] - origin[2]) * direction[2];
+}
+
+}  // namespace
+
+double RimFace::distance(const Vec& p) const { return dot_offset(p, drive.origin, drive.inward); }
+double RimFace::along(const Vec& p) const { return dot_offset(p, drive.origin, drive.along); }
+int RimFace::cell_at(double a) const { return std::clamp(int(std::floor(a / cell_width)), 0, cells - 1); }
+
+Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface, const RimSettings& settings)
+    : zone_(zone), settings_(settings) {
+  const double xl = grid.x0 + zone.i0 * grid.dx, xh = grid.x0 + zone.i1 * grid.dx;
+  const double yl = grid.y0 + zone.j0 * grid.dy, yh = grid.y0 + zone.j1 * grid.dy;
+  const double d = settings.diameter;
+
+  const auto add = [&](SideName side, int cells, double width, const Eigen::Vector3d& origin, const Eigen::Vector3d& inward,
+                       const Eigen::Vector3d& along) {
+    RimFace face{.side = side, .cells = cells, .cell_width = width, .drive = {}};
+    face.cells_per_segment = std::clamp(int(std::ceil(settings.segment * d / width - 1e-9)), 1, cells);
+    face.segments = (cells + face.cells_per_segment - 1) / face.cells_per_segment;
+    face.drive = {.origin = to_vec(origin),
+                  .inward = to_vec(inward),
+                  .along = to_vec(along),
+                  .segment_width = face.cells_per_segment * width,
+                  .segments = face.segments,
+                  .strip_begin = (settings.buffer - settings.strip) * d,
+                  .strip_end = (settings.buffer + settings.strip) * d};
+    faces_.push_back(face);
+  };
+
+  const Eigen::Vector3d across(0, 1, 0);
+  // On an arc a lateral face is a plane; its long direction is the chord's.
+  const Eigen::Vector3d chord = (surface.to_space({xh, 0, 0}) - surface.to_space({xl, 0, 0})).normalized();
+  if (zone.i0 > 0) add(SideName::upstream, zone.j1 - zone.j0, grid.dy, surface.to_space({xl, yl, 0}), surface.tangent(xl), across);
+  if (zone.i1 < grid.nx)
+    add(SideName::downstream, zone.j1 - zone.j0, grid.dy, surface.to_space({xh, yl, 0}), -surface.tangent(xh), across);
+  if (zone.j0 > 0) add(SideName::left, zone.i1 - zone.i0, grid.dx, surface.to_space({xl, yl, 0}), across, chord);
+  if (zone.j1 < grid.ny) add(SideName::right, zone.i1 - zone.i0, grid.dx, surface.to_space({xl, yh, 0}), -across, chord);
+}
+
+std::pair<int, int> Rim::outside_cell(const RimFace& face, int k) const {
+  switch (face.side) {
+    case SideName::upstream: return {zone_.i0 - 1, zone_.j0 + k};
+    case SideName::downstream: return {zone_.i1, zone_.j0 + k};
+    case SideName::left: return {zone_.i0 + k, zone_.j0 - 1};
+    default: return {zone_.i0 + k, zone_.j1};
+  }
+}
+
+std::pair<int, int> Rim::inside_cell(const RimFace& face, int k) const {
+  switch (face.side) {
+    case SideName::upstream: return {zone_.i0, zone_.j0 + k};
+    case SideName::downstream: return {zone_.i1 - 1, zone_.j0 + k};
+    case SideName::left: return {zone_.i0 + k, zone_.j0};
+    default: return {zone_.i0 + k, zone_.j1 - 1};
+  }
+}
+
+}  // namespace couloir

@@ -1,0 +1,59 @@
+#pragma once
+// The rim of the zone: its faces, their segments, and where a grain stands with respect to them.
+//
+//        left (y low)
+//      +--------------+          A face exists on each side of the zone that does not coincide with a side of the domain.
+//  up  |     zone     | down     Along a face, cells are counted from the low end; `cells_per_segment` of them make a segment,
+//      +--------------+          which shares one raft (grain_engine.hpp).
+//        right (y high)
+
+#include <vector>
+
+#include "continuum/solver.hpp"
+#include "coupling/engine/grain_engine.hpp"
+
+namespace couloir {
+
+struct RimFace {
+  SideName side;
+  int cells = 0;               // along the face
+  double cell_width = 0;       // [m] along the face
+  int cells_per_segment = 1;
+  int segments = 0;
+  DriveFace drive;             // the same face for the engine
+  int axis() const { return side == SideName::upstream || side == SideName::downstream ? 0 : 1; }  // normal along x or y
+  double sign() const { return side == SideName::upstream || side == SideName::left ? 1 : -1; }    // of the inward normal
+  int segment_of_cell(int k) const { return k / cells_per_segment; }
+  double distance(const Vec& p) const;    // [m] along the inward normal, positive in the zone
+  double along(const Vec& p) const;       // [m] from the face's low end
+  int cell_at(double along) const;        // clamped to the face
+};
+
+struct RimSettings {
+  double diameter = 0;         // [m]
+  double layer = 2;            // depth of the driven layer [d]
+  double buffer = 12;          // how far grains that left live on outside as support for those inside [d]
+  double strip = 3;            // the buffer's last part, in which they move with the flow outside [d]
+  double segment = 8;          // least width of a segment [d]
+};
+
+class Rim {
+ public:
+  Rim(const Grid&, const CellBox& zone, const ReferenceSurface&, const RimSettings&);
+
+  const std::vector<RimFace>& faces() const { return faces_; }
+  const RimSettings& settings() const { return settings_; }
+  double layer() const { return settings_.layer * settings_.diameter; }    // [m]
+  double buffer() const { return settings_.buffer * settings_.diameter; }  // [m]
+
+  // The cell outside of the rim that face cell k borders on.
+  std::pair<int, int> outside_cell(const RimFace&, int k) const;
+  std::pair<int, int> inside_cell(const RimFace&, int k) const;
+
+ private:
+  CellBox zone_;
+  RimSettings settings_;
+  std::vector<RimFace> faces_;
+};
+
+}  // namespace couloir

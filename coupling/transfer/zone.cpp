@@ -1,0 +1,320 @@
+#include "coupling/transfer/zone.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/transfer/fill.hpp"
+
+namespace couloir {
+
+Zone::Zone(const ZoneSettings& settings, const Grid& grid, const ReferenceSurface& surface, const PackingTable& table)
+    : settings_(settings),
+      grid_(grid),
+      surface_(&surface),
+      table_(&table),
+      rim_(grid, settings.box, surface, settings.rim),
+      handback_(rim_, surface, table.grain_density()) {
+  for (int f = 0; f < int(rim_.faces().size()); ++f) {
+    const RimFace& face = rim_.faces()[f];
+    conveyors_.emplace_back(face, f, table, rim_.layer());
+    segments_.emplace_back(face.segments);
+    imposed_.emplace_back(face.cells, 0.0);
+  }
+}
+
+std::vector<NewGrain> Zone::take_over(Solver& solver) {
+  const CellBox& box = settings_.box;
+  const auto flow = [&](double x, double y) {
+    const int i = std::clamp(int(std::floor((x - grid_.x0) / grid_.dx)), 0, grid_.nx - 1);
+    const int j = std::clamp(int(std::floor((y - grid_.y0) / grid_.dy)), 0, grid_.ny - 1);
+    return solver.at(i, j);
+  };
+  double mass = 0;
+  for (int j = box.j0; j < box.j1; ++j)
+    for (int i = box.i0; i < box.i1; ++i) mass += solver.at(i, j).h * grid_.dx * grid_.dy * table_->bulk_density();
+
+  const FillBox zone{grid_.x0 + box.i0 * grid_.dx, grid_.x0 + box.i1 * grid_.dx, grid_.y0 + box.j0 * grid_.dy,
+                     grid_.y0 + box.j1 * grid_.dy};
+  std::vector<NewGrain> grains;
+  look_outside(solver);
+  if (mass > table_->mean_mass()) {
+    // One body over zone, layers and buffers, so that no seam is left; what stands outside is driven or a shadow.
+    FillBox all = zone;
+    for (const RimFace& face : rim_.faces()) {
+      const double out = rim_.buffer();
+      if (face.side == SideName::upstream) all.x0 -= rim_.layer();
+      if (face.side == SideName::downstream) all.x1 += out;
+      if (face.side == SideName::left) all.y0 -= out;
+      if (face.side == SideName::right) all.y1 += out;
+    }
+    double filled = 0;
+    for (NewGrain& g : fill(all, flow, 0, *table_, *surface_, next_id_)) {
+      int out_of = -1;
+      double distance = 0;
+      for (int f = 0; f < int(rim_.faces().size()); ++f)
+        if (const double s = rim_.faces()[f].distance(g.position); s < distance) out_of = f, distance = s;
+      const double m = table_->grain_mass(g.radius);
+      if (out_of < 0) {
+        filled += m;
+      } else {
+        const RimFace& face = rim_.faces()[out_of];
+        const int segment = face.segment_of_cell(face.cell_at(face.along(g.position)));
+        if (segments_[out_of][segment].inflow) {
+          if (distance < -rim_.layer()) continue;
+          g.face = out_of;
+          g.segment = segment;
+          lent_ += m;
+        } else {
+          handback_.mark_shadow(g.id);
+        }
+      }
+      grains.push_back(g);
+    }
+    remainder_ = mass - filled;
+  }
+  inserted_ = long(grains.size());
+  solver.cover(box);
+  return grains;
+}
+
+void Zone::look_outside(const Solver& solver) {
+  // Thinner than this, a flow carries no grains worth sending: a hundredth of a diameter.
+  const double least = 0.01 * settings_.rim.diameter;
+  for (int f = 0; f < int(rim_.faces().size()); ++f) {
+    const RimFace& face = rim_.faces()[f];
+    for (int s = 0; s < face.segments; ++s) {
+      double h = 0, hn = 0, ha = 0;
+      const int first = s * face.cells_per_segment, last = std::min(face.cells, first + face.cells_per_segment);
+      for (int k = first; k < last; ++k) {
+        const auto [i, j] = rim_.outside_cell(face, k);
+        const FlowState q = solver.at(i, j);
+        h += q.h;
+        hn += face.sign() * (face.axis() == 0 ? q.hu : q.hv);
+        ha += face.axis() == 0 ? q.hv : q.hu;
+      }
+      Segment& segment = segments_[f][s];
+      segment.depth = h / (last - first);
+      if (segment.depth <= least) continue;  // the last flow's velocity carries its driven grains in
+      segment.normal = hn / h;
+      segment.along = ha / h;
+      const double still = 1e-3 * std::sqrt(settings_.gravity * settings_.rim.diameter);
+      segment.inflow = segment.normal > still;
+      if (!segment.inflow) segment.raft = 0;
+    }
+  }
+}
+
+double Zone::push(const Solver& solver, int f, int k, double raft) const {
+  const RimFace& face = rim_.faces()[f];
+  const auto [i, j] = rim_.outside_cell(face, k);
+  const FlowState q = solver.at(i, j);
+  if (q.h <= 0) return 0;
+  const double pressure = solver.earth_pressure(i, j)[face.axis()] * settings_.gravity * std::cos(surface_->angle(grid_.x(i)));
+  const double w = std::max(0.0, face.sign() * (face.axis() == 0 ? q.hu : q.hv) / q.h - raft);
+  return q.h * w * w + 0.5 * pressure * q.h * q.h + q.h * w * (w + std::sqrt(pressure * q.h));
+}
+
+void Zone::impose(Solver& solver) {
+  look_outside(solver);
+  for (int f = 0; f < int(rim_.faces().size()); ++f) {
+    const RimFace& face = rim_.faces()[f];
+    for (int k = 0; k < face.cells; ++k) {
+      const auto [i, j] = rim_.outside_cell(face, k);
+      const auto [ci, cj] = rim_.inside_cell(face, k);
+      const FlowState q = solver.at(i, j);
+      const Segment& segment = segments_[f][face.segment_of_cell(k)];
+      double inward = 0, normal_momentum = 0, tangential = 0;
+      if (segment.inflow) {
+        const double raft = segment.displacement / settings_.window;
+        inward = q.h * raft;
+        normal_momentum = inward * raft + push(solver, f, k, raft);
+        tangential = q.h > 0 ? inward * (face.axis() == 0 ? q.hv : q.hu) / q.h : 0;
+      } else {
+        const double g = settings_.gravity * std::cos(surface_->angle(grid_.x(i)));
+        const double k_out = solver.earth_pressure(i, j)[face.axis()];
+        const double covered = solver.at(ci, cj).h;
+        normal_momentum = 0.25 * k_out * g * (q.h * q.h + covered * covered);
+      }
+      imposed_[f][k] = inward;
+      // Parcels: mass and momentum that leave the zone, over the window, per unit width.
+      const Parcel& parcel = handback_.pending()[f][k];
+      const double per = 1 / (table_->bulk_density() * face.cell_width * settings_.window);
+      FaceFlux flux;
+      const double s = face.sign();
+      flux.mass = s * inward - s * per * parcel.mass;
+      const double along_momentum = s * tangential;
+      if (face.axis() == 0) {
+        flux.mom_x = normal_momentum - s * per * parcel.mom_x;
+        flux.mom_y = along_momentum - s * per * parcel.mom_y;
+      } else {
+        flux.mom_y = normal_momentum - s * per * parcel.mom_y;
+        flux.mom_x = along_momentum - s * per * parcel.mom_x;
+      }
+      solver.impose(face.side, k, flux);
+    }
+  }
+  solver.reset_rim();
+}
+
+AdvanceRequest Zone::request(Solver& solver) {
+  look_outside(solver);
+  AdvanceRequest request;
+  request.steps = settings_.steps;
+  request.remove = remove_;
+  remove_.clear();
+  for (int f = 0; f < int(rim_.faces().size()); ++f) {
+    const RimFace& face = rim_.faces()[f];
+    std::vector<double> depth(face.cells);
+    std::vector<double> given(face.segments, 0.0);
+    for (int k = 0; k < face.cells; ++k) {
+      const auto [i, j] = rim_.outside_cell(face, k);
+      depth[k] = solver.at(i, j).h;
+      // What passed is split into what the rafts asked for and what was handed back; a shortfall is the rafts'.
+      Parcel& parcel = handback_.pending()[f][k];
+      const double inward = face.sign() * solver.passed(face.side, k).mass * face.cell_width * table_->bulk_density();
+      const double drawn = imposed_[f][k] * settings_.window * face.cell_width * table_->bulk_density();
+      double to_conveyor = inward + parcel.mass;
+      if (drawn <= 0) {  // no raft here: a shortfall stays in the parcel and is taken later
+        parcel.mass = to_conveyor;
+        to_conveyor = 0;
+        parcel.mom_x = parcel.mom_y = 0;
+      } else {
+        parcel = {};
+      }
+      given[face.segment_of_cell(k)] += to_conveyor;
+    }
+
+    std::vector<SegmentDrive> drives(face.segments);
+    for (int s = 0; s < face.segments; ++s) {
+      Segment& segment = segments_[f][s];
+      const int first = s * face.cells_per_segment, last = std::min(face.cells, first + face.cells_per_segment);
+      conveyors_[f].advance(s, segment.inflow ? segment.displacement : 0, given[s], depth, segment.raft, segment.along,
+                            settings_.timestep, occupied(f), next_id_, request.insert);
+      SegmentDrive& drive = drives[s];
+      if (segment.inflow) {
+        double force = 0;
+        for (int k = first; k < last; ++k) force += push(solver, f, k, segment.raft);
+        drive.push = force * face.cell_width * table_->bulk_density();
+        drive.most = segment.normal;
+        drive.least = -0.25 * std::sqrt(settings_.gravity * segment.depth);
+        drive.along = segment.along;
+        drive.least_mass = 5 * table_->mean_mass();
+        if (face.axis() == 1 && face.drive.along[0] < 0) drive.along = -drive.along;
+      } else {
+        // Shadows lean on the flow that they have become, taken where the strip stands.
+        const auto [i, j] = rim_.outside_cell(face, (first + last) / 2);
+        const int reach = int(rim_.buffer() / (face.axis() == 0 ? grid_.dx : grid_.dy));
+        const int si = std::clamp(i - (face.axis() == 0 ? int(face.sign()) * reach : 0), 0, grid_.nx - 1);
+        const int sj = std::clamp(j - (face.axis() == 1 ? int(face.sign()) * reach : 0), 0, grid_.ny - 1);
+        const FlowState q = solver.at(si, sj);
+        const double outward = -face.sign() * (face.axis() == 0 ? q.hu : q.hv);
+        drive.exit_active = q.h > 0.5 * settings_.rim.diameter && outward > 0;
+        if (drive.exit_active) {
+          const Eigen::Vector3d v = q.hu / q.h * surface_->tangent(grid_.x(si)) + q.hv / q.h * Eigen::Vector3d::UnitY();
+          drive.exit_velocity = {v.x(), v.y(), v.z()};
+        }
+      }
+    }
+    request.drives.push_back(std::move(drives));
+  }
+  inserted_ += long(request.insert.size());
+  return request;
+}
+
+Conveyor::Occupied Zone::occupied(int face) const {
+  // A twentieth of a diameter is what a settled packing shows under its own weight, many times over.
+  return [this, face](int segment, const Vec& p, double r) {
+    for (const NewGrain& g : layer_) {
+      if (g.face == face && g.segment == segment) continue;
+      const double dx = g.position[0] - p[0], dy = g.position[1] - p[1], dz = g.position[2] - p[2];
+      const double reach = 0.95 * (g.radius + r);
+      if (dx * dx + dy * dy + dz * dz < reach * reach) return true;
+    }
+    return false;
+  };
+}
+
+void Zone::settle_departed(int f, int s, const Grains& g) {
+  // The flow has turned away: its driven grains never came in. They go, and all that is owed goes back to the flow.
+  const RimFace& face = rim_.faces()[f];
+  double mass = conveyors_[f].owed(s);
+  bool any = false;
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    if (!g.driven[i]) continue;
+    const Vec p{g.x[i], g.y[i], g.z[i]};
+    if (face.distance(p) >= 0 || face.distance(p) < -2 * rim_.layer()) continue;
+    const double along = face.along(p);
+    if (along < 0 || along >= face.cells * face.cell_width || face.segment_of_cell(face.cell_at(along)) != s) continue;
+    mass += handback_.grain_mass(g.radius[i]);
+    remove_.push_back(g.id[i]);
+    handback_.mark_shadow(g.id[i]);
+    any = true;
+  }
+  if (!any) return;
+  conveyors_[f].owe(s, -conveyors_[f].owed(s));
+  const int middle = std::min(face.cells - 1, s * face.cells_per_segment + face.cells_per_segment / 2);
+  handback_.pending()[f][middle].mass += mass;
+}
+
+void Zone::absorb(const Advanced& advanced, Solver& solver) {
+  const Grains& g = advanced.grains;
+  std::vector<std::vector<char>> inflow;
+  for (int f = 0; f < int(rim_.faces().size()); ++f) {
+    inflow.emplace_back();
+    for (int s = 0; s < rim_.faces()[f].segments; ++s) {
+      Segment& segment = segments_[f][s];
+      segment.displacement = advanced.segments[f][s].displacement;
+      segment.raft = advanced.segments[f][s].velocity;
+      inflow.back().push_back(segment.inflow);
+      if (!segment.inflow && advanced.segments[f][s].mass > 0) settle_departed(f, s, g);
+    }
+  }
+  handback_.sort(g, inflow, remove_);
+  std::sort(remove_.begin(), remove_.end());
+  remove_.erase(std::unique(remove_.begin(), remove_.end()), remove_.end());
+
+  layer_.clear();
+  for (std::size_t i = 0; i < g.size(); ++i)
+    if (g.driven[i]) {
+      const Vec p{g.x[i], g.y[i], g.z[i]};
+      for (int f = 0; f < int(rim_.faces().size()); ++f) {
+        const RimFace& face = rim_.faces()[f];
+        const double s = face.distance(p);
+        if (s > 0 || s < -2 * rim_.layer()) continue;
+        layer_.push_back({g.id[i], p, {}, g.radius[i], f, face.segment_of_cell(face.cell_at(face.along(p)))});
+        break;
+      }
+    }
+
+  field_ = coarse_grain(g, grid_, settings_.box, *surface_, table_->grain_density(), table_->bulk_density(), settings_.periodic_y);
+  const CellBox& box = settings_.box;
+  for (int j = box.j0; j < box.j1; ++j)
+    for (int i = box.i0; i < box.i1; ++i) solver.set_covered(i, j, field_.at(i, j));
+}
+
+double Zone::faces_mass() const {
+  double sum = handback_.pending_mass() + remainder_ - lent_;
+  for (const Conveyor& conveyor : conveyors_) sum += conveyor.owed();
+  return sum;
+}
+
+double Zone::faces_momentum() const { return handback_.pending_momentum(); }
+
+double Zone::grains_mass(const Grains& g) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < g.size(); ++i)
+    if (!is_shadow(g.id[i])) sum += handback_.grain_mass(g.radius[i]);
+  return sum;
+}
+
+double Zone::grains_momentum(const Grains& g) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < g.size(); ++i)
+    if (!is_shadow(g.id[i])) {
+      const Eigen::Vector3d t = surface_->tangent(surface_->to_surface({g.x[i], g.y[i], g.z[i]}).x);
+      sum += handback_.grain_mass(g.radius[i]) * (g.vx[i] * t.x() + g.vz[i] * t.z());
+    }
+  return sum;
+}
+
+}  // namespace couloir

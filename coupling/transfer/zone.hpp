@@ -1,0 +1,83 @@
+#pragma once
+// The exchange between the solver and the engine around one zone, window by window:
+//
+//   impose(solver)     what rafts drew in and grains gave back in the last window becomes the rim's fluxes
+//   ... the solver steps to the window's end ...
+//   request(solver)    what really passed is owed to the conveyors, which send grains; the flow outside sets the rafts' push
+//   ... the engine advances ...
+//   absorb(advanced)   grains that left are handed back; the covered cells show the grains' depth and velocity
+//
+// Precedence: impose < solver < request < engine < absorb < next impose. Each transfer lags by one window; what is on its way is
+// in the ledger (`faces_mass`). At a segment into which the flow comes, the raft (grain_engine.hpp) moves under the grains' forces
+// and the push of the flow that it dams up: the mirrored Riemann problem of (h, u - u_raft), with the flow's own K.
+
+#include <vector>
+
+#include "coupling/transfer/coarse_grain.hpp"
+#include "coupling/transfer/conveyor.hpp"
+#include "coupling/transfer/handback.hpp"
+
+namespace couloir {
+
+struct ZoneSettings {
+  CellBox box;
+  RimSettings rim;
+  double window = 0;         // [s]
+  double timestep = 0;       // [s] the engine's
+  std::int64_t steps = 0;    // engine steps in a window
+  double gravity = 9.81;     // [m/s2]
+  bool periodic_y = false;
+};
+
+class Zone {
+ public:
+  Zone(const ZoneSettings&, const Grid&, const ReferenceSurface&, const PackingTable&);
+
+  // The zone takes over: its cells' material becomes grains (to half a grain; the rest is owed), the solver's cells are covered.
+  // Returns the grains to insert before the first window.
+  std::vector<NewGrain> take_over(Solver&);
+
+  void impose(Solver&);
+  AdvanceRequest request(Solver&);
+  void absorb(const Advanced&, Solver&);
+
+  const Rim& rim() const { return rim_; }
+  bool is_shadow(std::int64_t id) const { return handback_.is_shadow(id); }
+  double faces_mass() const;             // [kg] owed by conveyors, on its way to the continuum, less what was lent at the start
+  double faces_momentum() const;         // [N s] along x
+  double grains_mass(const Grains&) const;      // [kg] all but shadows
+  double grains_momentum(const Grains&) const;  // [N s] along x, all but shadows
+  long inserted() const { return inserted_; }
+  long returned() const { return handback_.returned(); }
+  const CoarseGrained& field() const { return field_; }
+
+ private:
+  struct Segment {                       // of a face: what the flow outside does there
+    bool inflow = false;
+    double depth = 0, normal = 0, along = 0;     // [m], [m/s] inward, [m/s]
+    double raft = 0, displacement = 0;   // [m/s], [m] of the last window
+  };
+  void look_outside(const Solver&);
+  double push(const Solver&, int face, int k, double raft) const;  // [m3/s2] per unit width and density
+  void settle_departed(int face, int segment, const Grains&);
+  Conveyor::Occupied occupied(int face) const;
+
+  ZoneSettings settings_;
+  Grid grid_;
+  const ReferenceSurface* surface_;
+  const PackingTable* table_;
+  Rim rim_;
+  std::vector<Conveyor> conveyors_;
+  Handback handback_;
+  std::vector<std::vector<Segment>> segments_;
+  std::vector<std::vector<double>> imposed_;   // [face][cell] inward [m2/s] drawn in by rafts in this window
+  CoarseGrained field_;
+  std::vector<std::int64_t> remove_;
+  std::vector<NewGrain> layer_;                // driven grains after the last window, for the overlap test
+  double lent_ = 0;                            // [kg] the driven layers' first filling
+  double remainder_ = 0;                       // [kg] left over from filling with whole grains
+  std::int64_t next_id_ = 1;
+  long inserted_ = 0;
+};
+
+}  // namespace couloir

@@ -1,0 +1,189 @@
+#include "coupling/workers/fix_drive.hpp"
+
+namespace couloir {
+
+namespace {
+
+double dot(const Vec& a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+}  // namespace
+
+FixDrive::FixDrive(LAMMPS_NS::LAMMPS* lmp, int n, char** words) : Fix(lmp, n, words) {
+  create_attribute = 1;
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  for (int i = 0; i < atom->nlocal; ++i) raft_[i] = free_grain;
+}
+
+FixDrive::~FixDrive() {
+  atom->delete_callback(id, 0);
+  memory->destroy(raft_);
+}
+
+void FixDrive::set_faces(const std::vector<DriveFace>& faces, double edge) {
+  faces_ = faces;
+  edge_ = edge;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    first_raft_.push_back(static_cast<int>(rafts_.size()));
+    for (int s = 0; s < faces[f].segments; ++s) {
+      rafts_.emplace_back();
+      rafts_.back().face = static_cast<int>(f);
+    }
+  }
+  sums_.resize(2 * rafts_.size());
+}
+
+void FixDrive::begin_window(const std::vector<std::vector<SegmentDrive>>& drives) {
+  jump_ = {};
+  taken_sum_ = {};
+  taken_first_ = taken_;
+  std::size_t next = 0;
+  for (const auto& face : drives) {
+    for (const SegmentDrive& drive : face) rafts_[next++].drive = drive;
+  }
+  note_exits();
+  for (Raft& raft : rafts_) {
+    const SegmentDrive& d = raft.drive;
+    raft.displacement = raft.force = 0;
+    raft.velocity = raft.mass < d.least_mass || raft.mass <= 0 ? d.most : std::clamp(raft.velocity, d.least, d.most);
+  }
+  // The window's first drift is already at the new velocity.
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (raft_[i] == free_grain) continue;
+    const Vec to = raft_velocity(raft_[i]);
+    add_jump(atom->rmass[i], {atom->v[i][0], atom->v[i][1], atom->v[i][2]}, to);
+    for (int k = 0; k < 3; ++k) atom->v[i][k] = to[k];
+  }
+}
+
+void FixDrive::note_exits() {
+  any_exit_ = std::any_of(rafts_.begin(), rafts_.end(), [](const Raft& raft) { return raft.drive.exit_active; });
+}
+
+Vec FixDrive::raft_velocity(int r) const {
+  const Raft& raft = rafts_[static_cast<std::size_t>(r)];
+  const DriveFace& face = faces_[static_cast<std::size_t>(raft.face)];
+  Vec v;
+  for (int k = 0; k < 3; ++k) v[k] = raft.velocity * face.inward[k] + raft.drive.along * face.along[k];
+  return v;
+}
+
+Vec FixDrive::impulse() const {
+  Vec result;
+  for (int k = 0; k < 3; ++k) result[k] = jump_[k] - update->dt * (taken_sum_[k] + 0.5 * (taken_first_[k] - taken_[k]));
+  return result;
+}
+
+void FixDrive::add_jump(double mass, const Vec& from, const Vec& to) {
+  for (int k = 0; k < 3; ++k) jump_[k] += mass * (to[k] - from[k]);
+}
+
+int FixDrive::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
+
+// After a set-up of the engine (at the start, after a checkpoint) forces are new and velocities are as they were.
+void FixDrive::setup(int) {
+  const Vec jump = jump_;
+  taken_ = {};
+  set_velocities();
+  jump_ = jump;
+}
+
+void FixDrive::post_force(int) {
+  taken_ = {};
+  if (rafts_.empty()) return;
+  release_and_sum();
+  move_rafts();
+  set_velocities();
+  for (int k = 0; k < 3; ++k) taken_sum_[k] += taken_[k];
+}
+
+double FixDrive::distance(const DriveFace& face, const double* x) const {
+  return (x[0] - face.origin[0]) * face.inward[0] + (x[1] - face.origin[1]) * face.inward[1] + (x[2] - face.origin[2]) * face.inward[2];
+}
+
+void FixDrive::release_and_sum() {
+  std::fill(sums_.begin(), sums_.end(), 0.0);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (raft_[i] == free_grain) continue;
+    const std::size_t r = static_cast<std::size_t>(raft_[i]);
+    const DriveFace& face = faces_[static_cast<std::size_t>(rafts_[r].face)];
+    if (distance(face, atom->x[i]) >= 0) {
+      raft_[i] = free_grain;
+      continue;
+    }
+    sums_[2 * r] += dot(face.inward, atom->f[i]);
+    sums_[2 * r + 1] += atom->rmass[i];
+  }
+  if (comm->nprocs > 1) {
+    MPI_Allreduce(MPI_IN_PLACE, sums_.data(), static_cast<int>(sums_.size()), MPI_DOUBLE, MPI_SUM, world);
+  }
+}
+
+void FixDrive::move_rafts() {
+  const double dt = update->dt;
+  for (std::size_t r = 0; r < rafts_.size(); ++r) {
+    Raft& raft = rafts_[r];
+    const SegmentDrive& d = raft.drive;
+    raft.displacement += raft.velocity * dt;  // this step's drift
+    raft.force += sums_[2 * r];
+    raft.mass = sums_[2 * r + 1];
+    if (raft.mass < d.least_mass || raft.mass <= 0) {
+      raft.velocity = d.most;
+    } else {
+      raft.velocity = std::clamp(raft.velocity + dt * (sums_[2 * r] + d.push) / raft.mass, d.least, d.most);
+    }
+  }
+}
+
+void FixDrive::set_velocities() {
+  Vec exit;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (raft_[i] != free_grain) {
+      hold(i, raft_velocity(raft_[i]));
+    } else if (any_exit_ && strip_velocity(atom->x[i], exit)) {
+      hold(i, exit);
+    }
+  }
+}
+
+bool FixDrive::strip_velocity(const double* x, Vec& velocity) const {
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const DriveFace& face = faces_[f];
+    const double d = distance(face, x);
+    if (d < -face.strip_end || d > -face.strip_begin) continue;
+    const double s = (x[0] - face.origin[0]) * face.along[0] + (x[1] - face.origin[1]) * face.along[1] + (x[2] - face.origin[2]) * face.along[2];
+    if (s < -edge_ || s > face.segments * face.segment_width + edge_) continue;
+    const int segment = std::clamp(static_cast<int>(std::floor(s / face.segment_width)), 0, face.segments - 1);
+    const SegmentDrive& drive = rafts_[static_cast<std::size_t>(raft_of(static_cast<int>(f), segment))].drive;
+    if (!drive.exit_active) continue;
+    velocity = drive.exit_velocity;
+    return true;
+  }
+  return false;
+}
+
+void FixDrive::hold(int i, const Vec& velocity) {
+  double *v = atom->v[i], *f = atom->f[i], *w = atom->omega[i], *t = atom->torque[i];
+  for (int k = 0; k < 3; ++k) {
+    jump_[k] += atom->rmass[i] * (velocity[k] - v[k]);
+    taken_[k] += f[k];
+    v[k] = velocity[k];
+    f[k] = w[k] = t[k] = 0;
+  }
+}
+
+void FixDrive::grow_arrays(int nmax) { memory->grow(raft_, nmax, "couloir/drive:raft"); }
+void FixDrive::copy_arrays(int from, int to, int) { raft_[to] = raft_[from]; }
+void FixDrive::set_arrays(int i) { raft_[i] = free_grain; }
+
+int FixDrive::pack_exchange(int i, double* buffer) {
+  buffer[0] = raft_[i];
+  return 1;
+}
+
+int FixDrive::unpack_exchange(int i, double* buffer) {
+  raft_[i] = static_cast<int>(buffer[0]);
+  return 1;
+}
+
+}  // namespace couloir

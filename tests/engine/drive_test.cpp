@@ -1,0 +1,166 @@
+// Rafts and exit strips.
+#include "small_box.hpp"
+
+using namespace couloir;
+using namespace couloir::test;
+
+namespace {
+
+constexpr double width = 8 * 1.12 * d;
+
+// A channel along x with a floor and sides; the face at x = 0, and at `wall` the end, if positive.
+EngineSetup channel(const std::string& folder, double wall, int segments = 1) {
+  EngineSetup s = box(folder);
+  const double x0 = -0.06, x1 = 0.12, h = 0.06;
+  s.lo = {x0, -d, -d};
+  s.hi = {x1, width + d, h};
+  s.surfaces = {{"floor", rectangle({x0, 0, 0}, {x1 - x0, 0, 0}, {0, width, 0}), 0.2, 0.15},
+                {"left", rectangle({x0, 0, 0}, {x1 - x0, 0, 0}, {0, 0, h}), 0.0, 0.0},
+                {"right", rectangle({x0, width, 0}, {x1 - x0, 0, 0}, {0, 0, h}), 0.0, 0.0}};
+  if (wall > 0) s.surfaces.push_back({"wall", rectangle({wall, 0, 0}, {0, width, 0}, {0, 0, h}), 0.5, 0.15});
+  s.faces = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, width / segments, segments, 2 * d, 5 * d}};
+  return s;
+}
+
+// Three layers deep, as many columns long as asked for, its front at x = -front.
+std::vector<NewGrain> layer(int columns, double front, double speed, std::int64_t first_id, int segments = 1) {
+  std::vector<NewGrain> grains;
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < 8; ++j) {
+      for (int k = 0; k < 3; ++k) {
+        NewGrain n;
+        n.id = first_id + static_cast<std::int64_t>(grains.size());
+        n.position = {-front - i * 1.05 * d, (j + 0.5) * 1.12 * d, (0.5 + k * 1.0) * d};
+        n.velocity = {speed, 0, 0};
+        n.radius = 0.5 * d;
+        n.face = 0;
+        n.segment = std::min(segments - 1, j * segments / 8);
+        grains.push_back(n);
+      }
+    }
+  }
+  return grains;
+}
+
+}  // namespace
+
+TEST(Raft, EntersAtItsMostAndIsFreeBeyondThePlane) {
+  Folder folder;
+  const EngineSetup setup = channel(folder.path, 0);
+  LiggghtsEngine engine;
+  engine.start(setup);
+  AdvanceRequest request = steps(100);
+  request.insert = layer(2, 0.5 * d, 0.5, 1);
+  request.drives = {{{10, 0.5, -0.1, 0.0, 1e-6, false, {}}}};
+  Advanced a = engine.advance(request);
+  double moved = a.segments[0][0].displacement;
+  EXPECT_NEAR(moved, 100 * setup.timestep * 0.5, 1e-15);
+  EXPECT_EQ(a.segments[0][0].velocity, 0.5);
+  ASSERT_EQ(a.grains.size(), 48u);
+  for (std::size_t i = 0; i < a.grains.size(); ++i) {
+    EXPECT_NEAR(a.grains.x[i], request.insert[i].position[0] + moved, 1e-15) << "a driven grain moves as its raft did";
+    EXPECT_EQ(a.grains.vx[i], 0.5);
+    EXPECT_EQ(a.grains.vz[i], 0.0);
+    EXPECT_EQ(a.grains.driven[i], 1);
+  }
+  EXPECT_NEAR(a.segments[0][0].mass, mass(a.grains), 1e-15);
+  const AdvanceRequest on = steps(50);  // drives as before
+  double x_front_release = -1;
+  for (int n = 0; n < 40 && a.segments[0][0].mass > 0; ++n) {
+    a = engine.advance(on);
+    moved += a.segments[0][0].displacement;
+    for (std::size_t i = 0; i < a.grains.size(); ++i) {
+      EXPECT_TRUE(!a.grains.driven[i] || a.grains.x[i] < 0);
+      if (!a.grains.driven[i] && x_front_release < 0) x_front_release = a.grains.x[i];
+    }
+  }
+  EXPECT_EQ(a.segments[0][0].mass, 0) << "all released";
+  EXPECT_GE(x_front_release, 0);
+  EXPECT_LT(x_front_release, 51 * setup.timestep * 0.5) << "released at once";
+  EXPECT_EQ(a.segments[0][0].velocity, 0.5) << "with no grains it moves at its most";
+}
+
+TEST(Raft, ReleasedGrainsStayFreeWhenTheyComeBack) {
+  Folder folder;
+  EngineSetup setup = channel(folder.path, 0);
+  setup.gravity = {-40, 0, -g};  // pushes them back out
+  LiggghtsEngine engine;
+  engine.start(setup);
+  AdvanceRequest request = steps(1);
+  request.insert = layer(1, 0.1 * d, 0.3, 1);
+  request.drives = {{{0, 0.3, 0.3, 0.0, 0, false, {}}}};
+  engine.advance(request);
+  bool came_back = false;
+  for (int n = 0; n < 60 && !came_back; ++n) {
+    const Advanced a = engine.advance(steps(20));
+    for (std::size_t i = 0; i < a.grains.size(); ++i) came_back = came_back || (a.grains.x[i] < -0.5 * d && !a.grains.driven[i]);
+  }
+  EXPECT_TRUE(came_back);
+}
+
+TEST(Raft, SegmentsMoveApartAndAlong) {
+  Folder folder;
+  const EngineSetup setup = channel(folder.path, 0, 2);
+  LiggghtsEngine engine;
+  engine.start(setup);
+  AdvanceRequest request = steps(200);
+  request.insert = layer(1, 3 * d, 0.2, 1, 2);
+  request.drives = {{{1, 0.2, 0.2, 0.0, 0, false, {}}, {1, 0.1, 0.1, 0.01, 0, false, {}}}};
+  const Advanced a = engine.advance(request);
+  for (std::size_t i = 0; i < a.grains.size(); ++i) {
+    const int segment = request.insert[i].segment;
+    EXPECT_EQ(a.grains.vx[i], segment == 0 ? 0.2 : 0.1);
+    EXPECT_EQ(a.grains.vy[i], segment == 0 ? 0.0 : 0.01);
+  }
+  EXPECT_NEAR(a.segments[0][0].displacement, 2 * a.segments[0][1].displacement, 1e-15);
+}
+
+// Grains stand jammed between the face and a wall: a raft with a finite push must stop, one with imposed velocity would not.
+TEST(Raft, IsStoppedByGrainsInItsWay) {
+  Folder folder;
+  const EngineSetup setup = channel(folder.path, 5 * 1.05 * d);
+  LiggghtsEngine engine;
+  engine.start(setup);
+  AdvanceRequest request = steps(1);
+  request.insert = layer(8, 0, 0.3, 1);
+  double weight = 0;
+  for (NewGrain& n : request.insert) {
+    n.position[0] += 4.5 * 1.05 * d;
+    if (n.position[0] >= -0.2 * d) n.face = n.segment = -1;
+    weight += mass(n.radius) * g;
+  }
+  const double push = 0.1 * weight;
+  request.drives = {{{push, 0.3, -0.02, 0.0, 1e-6, false, {}}}};
+  Advanced a = engine.advance(request);
+  for (int n = 0; n < 60; ++n) a = engine.advance(steps(200));
+  EXPECT_GT(a.segments[0][0].mass, 0);
+  EXPECT_LT(std::abs(a.segments[0][0].velocity), 0.03);
+  EXPECT_NEAR(a.segments[0][0].force, -push, 0.5 * push) << "the grains hold against the push";
+  EXPECT_LT(a.max_overlap, 0.05) << "no piston";
+}
+
+TEST(Strip, FreeGrainsLeaveAtTheExitVelocity) {
+  Folder folder;
+  const EngineSetup setup = channel(folder.path, 0);
+  LiggghtsEngine engine;
+  engine.start(setup);
+  AdvanceRequest request = steps(50);
+  request.insert = layer(4, 1 * d, 0, 1);
+  for (NewGrain& n : request.insert) n.face = n.segment = -1;
+  const Vec exit = {-0.25, 0.05, 0};
+  request.drives = {{{0, 0, 0, 0.0, 0, true, exit}}};
+  const Advanced a = engine.advance(request);
+  int inside = 0, outside = 0;
+  for (std::size_t i = 0; i < a.grains.size(); ++i) {
+    if (a.grains.x[i] > -5 * d + 1e-4 && a.grains.x[i] < -2 * d - 1e-4) {
+      EXPECT_EQ((Vec{a.grains.vx[i], a.grains.vy[i], a.grains.vz[i]}), exit);
+      ++inside;
+    } else if (a.grains.x[i] > -1.5 * d) {
+      EXPECT_GT(a.grains.vx[i], -0.2);
+      ++outside;
+    }
+    EXPECT_EQ(a.grains.driven[i], 0);
+  }
+  EXPECT_GE(inside, 40);
+  EXPECT_GE(outside, 20);
+}

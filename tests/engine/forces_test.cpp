@@ -1,0 +1,106 @@
+// Forces on surfaces against the weight, and the book of momentum.
+#include "small_box.hpp"
+
+using namespace couloir;
+using namespace couloir::test;
+
+namespace {
+
+Vec sum(const std::vector<Vec>& forces) {
+  Vec total{};
+  for (const Vec& f : forces) {
+    for (int k = 0; k < 3; ++k) total[k] += f[k];
+  }
+  return total;
+}
+
+}  // namespace
+
+TEST(SurfaceForces, OfSettledGrainsSumToTheWeightAlsoWhenTilted) {
+  for (const double tilt : {0.0, 45.0}) {
+    Folder folder;
+    EngineSetup setup = box(folder.path);
+    const double a = tilt * std::numbers::pi / 180;
+    setup.gravity = {g * std::sin(a), 0, -g * std::cos(a)};
+    LiggghtsEngine engine;
+    engine.start(setup);
+    AdvanceRequest request = steps(20000);
+    request.insert = lattice(8, 6);
+    const Advanced settled = engine.advance(request);
+    EXPECT_LT(settled.max_overlap, 0.05);
+    EXPECT_GT(settled.max_overlap, 0.0);
+    const Advanced mean = engine.advance(steps(4000));
+    const double weight = mass(mean.grains) * g;
+    const Vec force = sum(mean.surface_force);
+    EXPECT_NEAR(force[0], weight * std::sin(a), 0.01 * weight) << "tilt " << tilt;
+    EXPECT_NEAR(force[1], 0, 0.01 * weight);
+    EXPECT_NEAR(force[2], -weight * std::cos(a), 0.01 * weight);
+    if (tilt == 0) {
+      EXPECT_LT(mean.surface_force[0][2], -0.5 * weight);  // most rests on the floor
+    } else {
+      EXPECT_GT(mean.surface_force[2][0], 0.2 * weight);  // the lower wall holds
+      EXPECT_NEAR(mean.surface_force[1][0], 0, 0.02 * weight);
+    }
+  }
+}
+
+// P1 - P0 = gravity + surfaces + driving + inserted - removed, window by window, with everything going on at once.
+TEST(Momentum, IsBookedExactly) {
+  for (const int ranks : {1, 2}) {
+    Folder folder;
+    EngineSetup setup = box(folder.path);
+    setup.ranks = ranks;
+    setup.gravity = {3, 1, -g};
+    const double w = 8 * 1.12 * d;
+    DriveFace face;
+    face.origin = {0.3 * w, 0, 0};
+    face.inward = {1, 0, 0};
+    face.along = {0, 1, 0};
+    face.segment_width = w / 2;
+    face.segments = 2;
+    face.strip_begin = 0.1 * w;
+    face.strip_end = 0.2 * w;
+    setup.faces = {face};
+    LiggghtsEngine engine;
+    engine.start(setup);
+    const std::vector<NewGrain> all = lattice(8, 6);
+    Grains before;
+    std::int64_t next = 0;
+    double worst = 0;
+    for (int window = 0; window < 40; ++window) {
+      AdvanceRequest request = steps(37);
+      Vec p{};
+      for (int n = 0; n < 10 && next < static_cast<std::int64_t>(all.size()); ++n, ++next) {
+        NewGrain grain = all[static_cast<std::size_t>(next)];
+        if (grain.position[0] < face.origin[0] - 0.6 * d) {
+          grain.face = 0;
+          grain.segment = grain.position[1] < w / 2 ? 0 : 1;
+        }
+        for (int k = 0; k < 3; ++k) p[k] += mass(grain.radius) * grain.velocity[k];
+        request.insert.push_back(grain);
+      }
+      for (std::size_t i = 0; i < before.size(); i += 9) {
+        if (window % 5 != 4) break;
+        request.remove.push_back(before.id[i]);
+        const double m = mass(before.radius[i]);
+        p[0] -= m * before.vx[i];
+        p[1] -= m * before.vy[i];
+        p[2] -= m * before.vz[i];
+      }
+      SegmentDrive drive{0.001, 0.3 + 0.01 * (window % 7), -0.1, 0.05, 1e-4, window % 3 == 0, {-0.2, 0.1, 0}};
+      request.drives = {{drive, drive}};
+      const Advanced a = engine.advance(request);
+      const Vec p0 = momentum(before), p1 = momentum(a.grains), surfaces = sum(a.surface_force);
+      const double time = 37 * setup.timestep, m = mass(a.grains);
+      double scale = m * g * time;
+      for (int k = 0; k < 3; ++k) {
+        const double residual = p1[k] - p0[k] - p[k] - (m * setup.gravity[k] * time - surfaces[k] * time + a.drive_impulse[k]);
+        worst = std::max(worst, std::abs(residual) / scale);
+      }
+      before = a.grains;
+    }
+    EXPECT_LT(worst, 1e-9) << ranks << " ranks";
+    RecordProperty("worst_" + std::to_string(ranks), std::to_string(worst));
+    std::printf("largest residual over weight impulse: %.3g (%d ranks)\n", worst, ranks);
+  }
+}

@@ -1,0 +1,119 @@
+#include "coupling/plan/build.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "plan_scenes.hpp"
+
+namespace couloir {
+namespace {
+
+TEST(Build, GridOfTheWall) {
+  const Grid g = grid_of(experiment("chiou_wall"));
+  EXPECT_EQ(g.nx, 383);
+  EXPECT_EQ(g.ny, 160);
+  EXPECT_DOUBLE_EQ(g.nx * g.dx, 1.915);
+  EXPECT_NEAR(g.ny * g.dy, 0.8, 1e-12);
+  EXPECT_EQ(g.x0, 0);
+}
+
+TEST(Build, RowsAreMirroredToTheBit) {
+  for (const char* width : {"0.8 m", "0.7 m", "333 mm", "0.1234567 m"}) {
+    const Scene s = experiment("chiou_wall", {{"terrain.width", width},
+                                              {"mode", "continuum"},
+                                              {"continuum.cell", "3 mm"},
+                                              {"release.base_radius", "60 mm"},
+                                              {"release.mass", "0.1 kg"},
+                                              {"obstacles.wall.size", "[10 mm, 50 mm, 80 mm]"}});
+    const Grid g = grid_of(s);
+    EXPECT_EQ(g.ny % 2, 0);
+    EXPECT_NEAR(g.ny * g.dy / s.terrain.width, 1, 1e-12);
+    for (int j = 0; j < g.ny; ++j) ASSERT_EQ(g.y(j), -g.y(g.ny - 1 - j)) << width << " row " << j;
+  }
+}
+
+TEST(Build, SolverSettings) {
+  const Scene s = experiment("chiou_wall", {{"continuum.limiter", "mc"},
+                                            {"continuum.cfl", "0.3"},
+                                            {"boundaries.upstream", "{inflow: {depth: 30 mm, velocity: 2 m/s}}"},
+                                            {"boundaries.left", "wall"}});
+  const SolverSettings settings = solver_settings(s);
+  EXPECT_EQ(settings.limiter, Limiter::mc);
+  EXPECT_EQ(settings.cfl, 0.3);
+  EXPECT_EQ(settings.gravity, 9.81);
+  EXPECT_EQ(settings.sides[0].kind, Side::Kind::inflow);
+  EXPECT_EQ(settings.sides[0].depth, 0.03);
+  EXPECT_EQ(settings.sides[0].velocity, 2);
+  EXPECT_EQ(settings.sides[1].kind, Side::Kind::outflow);
+  EXPECT_EQ(settings.sides[2].kind, Side::Kind::wall);
+  EXPECT_DOUBLE_EQ(settings.closure.tan_delta, std::tan(24 * std::numbers::pi / 180));
+  EXPECT_NEAR(settings.closure.earth_pressure.x_active, 0.61319, 5e-6);
+  EXPECT_NEAR(settings.closure.earth_pressure.x_passive, 3.65818, 5e-6);
+  EXPECT_TRUE(settings.closure.curvature);
+  EXPECT_FALSE(solver_settings(experiment("chiou_wall", {{"continuum.curvature", "off"}})).closure.curvature);
+  const SolverSettings null_zone = solver_settings(experiment("null_zone"));
+  EXPECT_FALSE(null_zone.closure.curvature);
+  EXPECT_TRUE(null_zone.closure.earth_pressure.is_hydraulic());
+  EXPECT_EQ(null_zone.sides[3].kind, Side::Kind::periodic);
+}
+
+TEST(Build, GrainsModeNeedsNeitherCellNorRealK) {
+  Scene s = experiment("chiou_wall", {{"mode", "grains"}, {"material.basal_friction_angle", "40 deg"}});
+  s.continuum.cell = 0;
+  const SolverSettings settings = solver_settings(s);
+  EXPECT_EQ(settings.grid.nx, 239);  // 1.915 m in cells of 8 mm
+  EXPECT_TRUE(settings.closure.earth_pressure.is_hydraulic());
+}
+
+TEST(Build, StepBedHoldsTheWallInWholeCells) {
+  const Scene s = experiment("chiou_wall");
+  const StepBed bed = step_bed(s);
+  ASSERT_EQ(bed.obstacles.size(), 1u);
+  const StepObstacle& wall = bed.obstacles[0];
+  EXPECT_EQ(wall.name, "wall");
+  EXPECT_DOUBLE_EQ(wall.x0, 0.65);
+  EXPECT_DOUBLE_EQ(wall.x1, 0.66);
+  EXPECT_EQ(wall.y0, -wall.y1);
+  EXPECT_EQ(wall.height, 0.08);
+  const CellBox cells = cells_in({wall.x0, wall.x1, wall.y0, wall.y1}, grid_of(s));
+  EXPECT_EQ(cells.i0, 130);
+  EXPECT_EQ(cells.i1, 132);
+  EXPECT_EQ(cells.j0, 64);
+  EXPECT_EQ(cells.j1, 96);
+}
+
+TEST(Build, ReferenceSurfaceOfEachKind) {
+  const double deg = std::numbers::pi / 180;
+  const ReferenceSurface chute = reference_surface(experiment("chiou_wall"));
+  EXPECT_NEAR(chute.angle(0.5), 40 * deg, 1e-12);
+  EXPECT_NEAR(chute.angle(0.9335 + 0.1465 / 2), 20 * deg, 1e-12);
+  EXPECT_NEAR(chute.angle(1.5), 0, 1e-12);
+  EXPECT_NEAR(std::tan(reference_surface(experiment("null_zone")).angle(0.4)), 0.4, 1e-6);
+  const Scene level = experiment("null_zone", {{"terrain", "{kind: flat, length: 0.8, width: 0.06}"}});
+  EXPECT_EQ(reference_surface(level).angle(0.4), 0);
+}
+
+TEST(Build, EngineTimestep) {
+  // 5e-5 s is 16 % of the Rayleigh time at d = 5 mm, E = 5 MPa, 2650 kg/m3; the smallest grain and this density scale it.
+  const double expected = 5e-5 * 0.9 * std::sqrt(1425 / 0.57 / 2650);
+  EXPECT_NEAR(engine_timestep(experiment("null_zone")) / expected, 1, 0.05);
+  EXPECT_EQ(engine_timestep(experiment("null_zone", {{"grains.timestep", "0.02 ms"}})), 2e-5);
+}
+
+TEST(Build, MeanGrainVolume) {
+  GrainSpec grains;
+  grains.diameter = 0.004;
+  grains.spread = 0.3;
+  double sum = 0;  // midpoint sum over the radii
+  const int n = 10000;
+  for (int i = 0; i < n; ++i) {
+    const double r = 0.002 * (1 + 0.3 * (2 * (i + 0.5) / n - 1));
+    sum += 4 * std::numbers::pi / 3 * r * r * r / n;
+  }
+  EXPECT_NEAR(mean_grain_volume(grains) / sum, 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace couloir

@@ -1,0 +1,90 @@
+#include "coupling/plan/effects.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "plan_scenes.hpp"
+
+namespace couloir {
+namespace {
+
+Effect effect(const Scene& scene, const std::string& name) {
+  for (const Effect& e : effects_of(scene)) {
+    if (e.name == name) return e;
+  }
+  throw std::out_of_range(name);
+}
+
+void expect(const Scene& scene, const std::string& name, bool on, const std::string& reason) {
+  const Effect e = effect(scene, name);
+  EXPECT_EQ(e.on, on) << name;
+  EXPECT_EQ(e.reason, reason) << name;
+}
+
+TEST(Effects, OfTheWall) {
+  const Scene s = experiment("chiou_wall");
+  expect(s, "depth_averaged_flow", true, "mode is coupled");
+  expect(s, "gravity_along_slope", true, "the terrain is inclined by 40 deg");
+  expect(s, "earth_pressure", true, "closure is active_passive: phi 37 deg and delta 24 deg give K_act 0.61319, K_pas 3.65818");
+  expect(s, "basal_friction", true, "Coulomb, delta 24 deg");
+  expect(s, "curvature", true, "the terrain has an arc of 146.5 mm with radius 209.846 mm");
+  expect(s, "elevation", false, "the scene has no bed elevation besides its obstacles");
+  expect(s, "obstacles", true, "steps of the bed: wall (80 mm high)");
+  expect(s, "inflow", false, "no side of the domain is an inflow");
+  expect(s, "periodic_sides", false, "no sides are periodic");
+  expect(s, "grain_engine", true, "mode is coupled: liggghts, grains of 4 mm, 1 rank");
+  expect(s, "side_friction", false, "neither the left nor the right side is a wall");
+  expect(s, "coupling", true, "mode is coupled, with an automatic zone around the obstacles");
+  EXPECT_TRUE(effect(s, "airborne").on);
+}
+
+TEST(Effects, OfTheNullZone) {
+  const Scene s = experiment("null_zone");
+  expect(s, "earth_pressure", false, "closure is hydraulic: K = 1");
+  expect(s, "curvature", false, "the terrain has no arc: kappa is 0 everywhere");
+  expect(s, "obstacles", false, "the scene has none");
+  expect(s, "inflow", true, "upstream: 40 mm deep at 1.002 m/s");
+  expect(s, "periodic_sides", true, "left and right are periodic");
+  expect(s, "coupling", true, "mode is coupled, with the zone that the scene gives");
+  expect(s, "airborne", false, "no obstacle throws grains above the flow");
+}
+
+TEST(Effects, OfOtherModes) {
+  const Scene continuum = experiment("chiou_wall", {{"mode", "continuum"}});
+  expect(continuum, "grain_engine", false, "mode is continuum: no engine is started");
+  expect(continuum, "coupling", false, "mode is continuum: one model alone");
+  expect(continuum, "airborne", false, "mode is continuum: a depth-averaged flow has no flight");
+  expect(continuum, "rolling_friction", false, "mode is continuum: no grains");
+  const Scene grains = experiment("chiou_wall", {{"mode", "grains"}});
+  expect(grains, "depth_averaged_flow", false, "mode is grains: grains carry the whole flow");
+  expect(grains, "earth_pressure", false, "mode is grains: stresses come from the contacts");
+  expect(grains, "curvature", false, "mode is grains: the grains move on the curved bed itself");
+  expect(grains, "obstacles", true, "solid bodies: wall (80 mm high)");
+  expect(grains, "airborne", false, "mode is grains: grains fly as grains");
+}
+
+TEST(Effects, SwitchedOff) {
+  expect(experiment("chiou_wall", {{"continuum.curvature", "off"}}), "curvature", false,
+         "continuum.curvature is off, although the terrain has an arc");
+  expect(experiment("chiou_wall", {{"material.basal_friction_angle", "0"}}), "basal_friction", false,
+         "delta is 0: a frictionless bed");
+  expect(experiment("null_zone", {{"terrain", "{kind: flat, length: 0.8, width: 0.06}"}}), "gravity_along_slope", false,
+         "the terrain is level");
+  const Overrides walls{{"boundaries.left", "wall"}, {"boundaries.right", "wall"}, {"grains.side_friction", "0.3"}};
+  expect(experiment("chiou_wall", walls), "side_friction", true, "grains meet the side walls with friction 0.3");
+}
+
+TEST(Effects, EachHasOneNameAndAReason) {
+  for (const char* mode : {"continuum", "coupled", "grains"}) {
+    std::set<std::string> names;
+    for (const Effect& e : effects_of(experiment("chiou_wall", {{"mode", mode}}))) {
+      EXPECT_TRUE(names.insert(e.name).second) << e.name;
+      EXPECT_FALSE(e.reason.empty()) << e.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace couloir

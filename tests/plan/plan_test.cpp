@@ -1,0 +1,100 @@
+#include "coupling/plan/plan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "plan_scenes.hpp"
+
+namespace couloir {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Plan, OfTheWall) {
+  const Plan plan = make_plan(experiment("chiou_wall"));
+  EXPECT_DOUBLE_EQ(plan.release_mass, 1.41);
+  EXPECT_EQ(plan.cells, 383 * 160);
+  // 0.45 * 5 mm over a flow between 1 and 10 m/s.
+  EXPECT_GT(plan.dt, 2.2e-4);
+  EXPECT_LT(plan.dt, 2.3e-3);
+  EXPECT_NEAR(static_cast<double>(plan.steps), 1.5 / plan.dt, 1);
+  ASSERT_TRUE(plan.zone);
+  EXPECT_LT(plan.zone->box.x0, 0.65);
+  // 2.207 L at a solid fraction of .57 in grains of 4 mm, spread .1: 37.2 thousand.
+  EXPECT_NEAR(static_cast<double>(plan.grains[2]), 2.2066e-3 * 0.57 / (3.351e-8 * 1.01), 100);
+  EXPECT_GT(plan.grains[1], 1000);
+  EXPECT_LE(plan.grains[1], plan.grains[2]);
+  EXPECT_EQ(plan.grains[0], 0);
+  EXPECT_GT(plan.engine_steps, 10000);
+  EXPECT_GT(plan.memory, 1e7);
+  EXPECT_DOUBLE_EQ(plan.time, plan.time_continuum + plan.time_engine);
+  EXPECT_THAT(plan.warnings, Contains(HasSubstr("0.445 is above 0.4")));
+}
+
+TEST(Plan, ContinuumHasNoEngine) {
+  const Plan plan = make_plan(experiment("chiou_wall", {{"mode", "continuum"}}));
+  EXPECT_EQ(plan.engine_dt, 0);
+  EXPECT_EQ(plan.engine_steps, 0);
+  EXPECT_EQ(plan.time_engine, 0);
+  EXPECT_FALSE(plan.zone);
+  EXPECT_TRUE(plan.warnings.empty());
+  EXPECT_GT(plan.grains[2], 0) << "still told for comparison";
+}
+
+TEST(Plan, GrainsHasNoMesh) {
+  const Plan plan = make_plan(experiment("chiou_wall", {{"mode", "grains"}}));
+  EXPECT_EQ(plan.cells, 0);
+  EXPECT_EQ(plan.steps, 0);
+  EXPECT_EQ(plan.time_continuum, 0);
+  EXPECT_FALSE(plan.zone);
+  EXPECT_GT(plan.time_engine, 0);
+  EXPECT_GT(plan.time_engine, make_plan(experiment("chiou_wall")).time_engine) << "a zone has fewer grains than the whole flow";
+}
+
+TEST(Plan, OfAContinuumSceneWithoutGrains) {
+  Scene scene = experiment("chiou_wall", {{"mode", "continuum"}});
+  scene.grains.diameter = 0;
+  const Plan plan = make_plan(scene);
+  EXPECT_EQ(plan.grains[1], 0);
+  EXPECT_EQ(plan.grains[2], 0);
+}
+
+TEST(Plan, FinerCostsMore) {
+  const Plan coarse = make_plan(experiment("chiou_wall")),
+             fine = make_plan(experiment("chiou_wall", {{"continuum.cell", "2.5 mm"}}));
+  EXPECT_EQ(fine.cells, 4 * coarse.cells);
+  EXPECT_NEAR(fine.dt / coarse.dt, 0.5, 1e-9);
+  EXPECT_NEAR(fine.time_continuum / coarse.time_continuum, 8, 0.1);
+}
+
+TEST(Plan, WarnsOfWhatDoesNotMatch) {
+  const Plan plan =
+      make_plan(experiment("chiou_wall", {{"grains.base_friction", "0.3"}, {"grains.zone", "{x: [0.61, 0.7], y: [-0.2, 0.2]}"}}));
+  EXPECT_THAT(plan.warnings,
+              Contains("The two models brake differently: base friction of the grains is 0.3, tan(delta) is 0.445."));
+  EXPECT_THAT(plan.warnings,
+              Contains("The zone reaches only 10 grain diameters upstream of wall; the pile will reach its face."));
+  EXPECT_THAT(plan.warnings, Not(Contains(HasSubstr("above 0.4"))));
+  EXPECT_THAT(make_plan(experiment("null_zone")).warnings, testing::IsEmpty());
+}
+
+TEST(Plan, AsTextAndJson) {
+  const Plan plan = make_plan(experiment("chiou_wall"));
+  const std::string text = plan_text(plan);
+  EXPECT_THAT(text, HasSubstr("mesh       383 x 160 cells of 5 mm x 5 mm\n"));
+  EXPECT_THAT(text, HasSubstr("release    1.41 kg, 2.207 L\n"));
+  for (const Effect& e : plan.effects) EXPECT_THAT(text, HasSubstr(e.reason));
+  for (const std::string& w : plan.warnings) EXPECT_THAT(text, HasSubstr(w));
+  const nlohmann::json json = nlohmann::json::parse(plan_json(plan).dump());
+  EXPECT_EQ(json["mode"], "coupled");
+  EXPECT_EQ(json["continuum"]["cells"], 383 * 160);
+  EXPECT_EQ(json["effects"].size(), plan.effects.size());
+  EXPECT_EQ(json["effects"][0]["name"], "depth_averaged_flow");
+  EXPECT_EQ(json["zone"]["x"][0], plan.zone->box.x0);
+  EXPECT_TRUE(plan_json(make_plan(experiment("chiou_wall", {{"mode", "grains"}})))["zone"].is_null());
+}
+
+}  // namespace
+}  // namespace couloir

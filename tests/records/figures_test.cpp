@@ -1,0 +1,191 @@
+// The numbers people quote: summary.json, forces.csv, the force figures.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "coupling/records/console.hpp"
+#include "coupling/records/force_series.hpp"
+#include "coupling/records/forces_csv.hpp"
+#include "coupling/records/records.hpp"
+#include "coupling/records/summary.hpp"
+#include "coupling/records/text_file.hpp"
+#include "synthetic_run.hpp"
+
+namespace couloir::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+// 10 N for 5 ms alone: the 15 ms mean is a third of it; the last 50 ms hold it too.
+TEST(ForceSeries, PeakIsTheMeanOver15ms) {
+  ForceSeries series;
+  for (int k = 1; k <= 100; ++k) series.add(k * 1e-3, 1e-3, k > 60 && k <= 65 ? 10 : 0, k > 60);
+  const ForceFigures f = series.figures();
+  EXPECT_NEAR(f.peak, 10.0 / 3, 1e-12);
+  EXPECT_NEAR(f.peak_time, 0.065, 1e-12);
+  EXPECT_EQ(f.peak_window, 10);
+  EXPECT_NEAR(f.impulse, 0.05, 1e-15);
+  EXPECT_NEAR(f.first_contact, 0.06, 1e-12);
+  EXPECT_NEAR(f.mean, 0.05 / 0.04, 1e-12);
+  EXPECT_NEAR(f.final, 0.05 / 0.05, 1e-12);
+}
+
+TEST(ForceSeries, PeakDoesNotHangOnTheWindows) {
+  ForceSeries fine, coarse;  // a rectangle of 20 ms and 5 N, cut differently
+  for (int k = 1; k <= 400; ++k) fine.add(k * 0.25e-3, 0.25e-3, k > 160 && k <= 240 ? 5 : 0, k > 160);
+  for (int k = 1; k <= 10; ++k) coarse.add(k * 10e-3, 10e-3, k > 4 && k <= 6 ? 5 : 0, k > 4);
+  EXPECT_NEAR(fine.figures().peak, 5, 1e-12);
+  EXPECT_NEAR(coarse.figures().peak, 5, 1e-12);
+  EXPECT_NEAR(coarse.figures().final, fine.figures().final, 1e-12);
+}
+
+TEST(ForceSeries, WithoutContactIsAllZeros) {
+  ForceSeries series;
+  EXPECT_EQ(series.figures().peak, 0);
+  series.add(1e-3, 1e-3, 0, false);
+  EXPECT_EQ(series.figures().mean, 0);
+  EXPECT_EQ(series.figures().first_contact, -1);
+}
+
+TEST(Summary, HoldsTheKeysOfTheContract) {
+  const TemporaryFolder folder;
+  const SyntheticRun run(Mode::coupled);
+  record(run, folder / "a");
+  const auto json = nlohmann::json::parse(read_text(folder / "a/summary.json"));
+  for (const char* key :
+       {"/status", "/scene", "/mode", "/time/simulated", "/time/wall", "/time/cpu", "/mass/initial", "/mass/final",
+        "/mass/left_domain", "/mass/relative_error", "/momentum/relative_residual", "/continuum/cells", "/continuum/steps",
+        "/continuum/cell_updates", "/continuum/cell_updates_per_second", "/continuum/min_depth", "/grains/inserted",
+        "/grains/returned", "/grains/peak_count", "/grains/steps", "/grains/particle_steps_per_second",
+        "/obstacles/wall/force_peak", "/obstacles/wall/force_mean", "/obstacles/wall/force_final", "/obstacles/wall/impulse",
+        "/obstacles/wall/max_depth_on_top", "/effects/0/name", "/effects/0/on", "/effects/0/reason", "/events/0/what"})
+    EXPECT_TRUE(json.contains(nlohmann::json::json_pointer(key))) << key;
+  EXPECT_EQ(json["status"], "done");
+  EXPECT_EQ(json["mode"], "coupled");
+  EXPECT_EQ(json["engine"], "LIGGGHTS 3.8.0");
+  EXPECT_NEAR(json["time"]["simulated"], 0.4, 1e-12);
+  EXPECT_NEAR(json["time"]["share_engine"], 0.7, 1e-12);
+  EXPECT_NEAR(json["mass"]["final"], 1.2, 1e-9);
+  EXPECT_NEAR(json["mass"]["left_domain"], 0.2, 1e-12);
+  EXPECT_LT(json["mass"]["relative_error"], 1e-14);
+  EXPECT_NEAR(json["mass"]["overtopped"], 0.05, 1e-12);
+  EXPECT_EQ(json["continuum"]["cells"], 7500);
+  EXPECT_EQ(json["continuum"]["cell_updates_per_second"], 15000 * 400 / 5.0);
+  EXPECT_EQ(json["grains"]["peak_count"], 10000);
+  EXPECT_EQ(json["grains"]["particle_steps_per_second"], 2e6);
+  EXPECT_NEAR(json["grains"]["max_overlap"], 0.03, 1e-15);
+  const auto& wall = json["obstacles"]["wall"];
+  double impulse = 0, raw = 0;
+  for (long k = 0; k < SyntheticRun::windows; ++k) {
+    impulse += run.window(k).obstacles[0].force[0] * 1e-3;
+    raw = std::max(raw, run.window(k).obstacles[0].force[0]);
+  }
+  EXPECT_NEAR(wall["impulse"], impulse, 1e-12);
+  EXPECT_EQ(wall["force_peak_window"], raw);
+  // 6 N and the bump's mean over the 15 ms about its top, (2/pi)(40)(20/15) sin(pi/2 15/20) N; the rattle is 4/15 N at most.
+  const double bump = 40 * (2 * 20 / (std::numbers::pi * 15)) * std::sin(std::numbers::pi / 2 * 15 / 20);
+  EXPECT_NEAR(wall["force_peak"], 6 + bump, 0.5);
+  EXPECT_NEAR(wall["force_final"], 6, 0.1);
+  EXPECT_NEAR(wall["first_contact"], 0.1, 1e-9);
+  EXPECT_NEAR(wall["max_depth_on_top"], 0.004, 1e-15);
+}
+
+TEST(Summary, TellsOfAnInterruptedRun) {
+  const TemporaryFolder folder;
+  Summary summary(folder / "summary.json");
+  SyntheticRun(Mode::continuum).play({&summary}, 0, 0.05, true, "interrupted");
+  const auto json = nlohmann::json::parse(read_text(folder / "summary.json"));
+  EXPECT_EQ(json["status"], "interrupted");
+  EXPECT_EQ(json["reason"], "stopped by the user");
+  EXPECT_EQ(json["engine"], "");
+  EXPECT_TRUE(json["obstacles"]["wall"]["first_contact"].is_null());
+  EXPECT_EQ(json["grains"]["peak_count"], 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "summary.json.tmp"));
+}
+
+TEST(Summary, OfAContinuedRunIsThatOfTheWhole) {
+  const TemporaryFolder folder;
+  const SyntheticRun run(Mode::coupled);
+  record(run, folder / "a");
+  Summary summary(folder / "continued.json", folder / "a/records.h5", 0.15);
+  run.play({&summary}, 0.15);
+  EXPECT_EQ(nlohmann::json::parse(summary.text()), nlohmann::json::parse(read_text(folder / "a/summary.json")));
+}
+
+std::vector<std::string> lines_of(const std::string& path) {
+  std::istringstream in(read_text(path));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(ForcesCsv, HasUnitsAndARowEachInterval) {
+  const TemporaryFolder folder;
+  SyntheticRun run(Mode::coupled);
+  run.scene.record.forces = 0.003;
+  ForcesCsv csv(folder / "forces.csv");
+  run.play({&csv});
+  const std::vector<std::string> lines = lines_of(folder / "forces.csv");
+  EXPECT_EQ(lines[0], "time [s],wall x [N],wall y [N],wall z [N]");
+  EXPECT_EQ(lines[1], "0.003,0,0,0");
+  ASSERT_EQ(lines.size(), 1u + 134u);  // 133 whole intervals and the rest
+  double impulse = 0, expected = 0, before = 0;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    double t = 0, x = 0, y = 0, z = 0;
+    ASSERT_EQ(std::sscanf(lines[k].c_str(), "%lf,%lf,%lf,%lf", &t, &x, &y, &z), 4) << lines[k];
+    impulse += x * (t - before);
+    before = t;
+  }
+  for (long k = 0; k < SyntheticRun::windows; ++k) expected += run.window(k).obstacles[0].force[0] * 1e-3;
+  EXPECT_NEAR(impulse, expected, 1e-8);
+}
+
+std::string what_is_shown(bool terminal, bool quiet, const std::string& log) {
+  char* text = nullptr;
+  std::size_t size = 0;
+  std::FILE* out = open_memstream(&text, &size);
+  {
+    Console console(log, {out, terminal, quiet});
+    SyntheticRun(Mode::coupled).play({&console});
+  }
+  std::fclose(out);
+  const std::string shown(text, size);
+  std::free(text);
+  return shown;
+}
+
+TEST(Console, ShowsEventsAndTheEnd) {
+  const TemporaryFolder folder;
+  const std::string plain = what_is_shown(false, false, folder / "plain.txt");
+  EXPECT_THAT(plain, HasSubstr("Heap onto a wall (coupled mode), 0.4 s to simulate\n"));
+  EXPECT_THAT(plain, HasSubstr("0.100 s: the flow reaches the wall: its front is 1 mm from it\n"));
+  EXPECT_THAT(plain, HasSubstr("t = 0.400 s of 0.4 s (100 %)  step 400  cells 7500  grains 4000"));
+  EXPECT_THAT(plain, HasSubstr("done after 12 s (20 s of processor time)\n"));
+  EXPECT_EQ(plain.find('\r'), std::string::npos);
+}
+
+TEST(Console, IsQuietButLogs) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(what_is_shown(false, true, folder / "log.txt"), "");
+  EXPECT_THAT(read_text(folder / "log.txt"), HasSubstr("the zone grows to 220 mm"));
+}
+
+TEST(Console, OverwritesOnATerminal) {
+  const TemporaryFolder folder;
+  const std::string shown = what_is_shown(true, false, folder / "log.txt");
+  EXPECT_NE(shown.find("\rt = 0.400 s"), std::string::npos);
+  EXPECT_EQ(read_text(folder / "log.txt").find('\r'), std::string::npos);
+}
+
+TEST(Console, SaysDurationsInWords) {
+  EXPECT_EQ(in_words(12.4), "12 s");
+  EXPECT_EQ(in_words(200), "3 min 20 s");
+  EXPECT_EQ(in_words(3720), "1 h 02 min");
+}
+
+}  // namespace
+}  // namespace couloir::testing

@@ -1,0 +1,158 @@
+#include "coupling/records/records.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "coupling/records/columns.hpp"
+#include "coupling/records/forces_csv.hpp"
+#include "coupling/records/reader.hpp"
+#include "coupling/records/xdmf.hpp"
+#include "coupling/records/text_file.hpp"
+#include "synthetic_run.hpp"
+
+namespace couloir::testing {
+namespace {
+
+TEST(Records, ComeBackBitForBit) {
+  const TemporaryFolder folder;
+  const SyntheticRun run(Mode::coupled);
+  record(run, folder / "a");
+  const RecordsReader reader(folder / "a/records.h5");
+
+  EXPECT_EQ(reader.frames(), (std::vector<long>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
+  const Frame frame = reader.frame(5);
+  EXPECT_EQ(frame.time, 0.2);
+  EXPECT_EQ(frame.h, run.depth(0.2));
+  const Grains grains = run.grains(0.2);
+  EXPECT_GT(grains.size(), 100u);
+  EXPECT_EQ(frame.grains.id, grains.id);
+  EXPECT_EQ(frame.grains.x, grains.x);
+  EXPECT_EQ(frame.grains.vy, grains.vy);
+  EXPECT_EQ(frame.grains.driven, grains.driven);
+
+  for (const WindowColumn& c : window_columns()) {
+    const std::vector<double> column = reader.window(c.name);
+    ASSERT_EQ(column.size(), std::size_t(SyntheticRun::windows)) << c.name;
+    for (const long k : {0, 150, 399}) EXPECT_EQ(column[k], c.value(run.window(k))) << c.name;
+  }
+  EXPECT_EQ(reader.obstacles(), std::vector<std::string>{"wall"});
+  EXPECT_EQ(reader.force("wall", "fy")[200], run.window(200).obstacles[0].force[1]);
+  const std::vector<Event> events = reader.events();
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[0].time, 0.1);
+  EXPECT_EQ(events[0].what, "the flow reaches the wall: its front is 1 mm from it");
+  EXPECT_EQ(reader.bed(), run.start().bed);
+  EXPECT_EQ(reader.grid().nx, 150);
+  EXPECT_NEAR(reader.grid().x0, 0.0, 1e-15);
+  EXPECT_NEAR(reader.grid().dy, 0.01, 1e-15);
+}
+
+TEST(Records, NameWhatMadeThem) {
+  const TemporaryFolder folder;
+  record(SyntheticRun(Mode::coupled), folder / "a");
+  const RecordsReader reader(folder / "a/records.h5");
+  for (const char* name : {"couloir_version", "git_revision", "compiler", "compiler_flags", "cpu", "libraries", "start_time"})
+    EXPECT_NE(reader.text(name), "") << name;
+  EXPECT_EQ(reader.text("scene"), "title: Heap onto a wall\n# complete\n");
+  EXPECT_EQ(reader.text("status"), "done");
+  EXPECT_EQ(reader.text("engine"), "LIGGGHTS 3.8.0");
+  EXPECT_EQ(reader.number("seed"), 20011);
+  EXPECT_EQ(reader.number("format_version"), Records::kFormatVersion);
+}
+
+// Every dataset of the file says its unit and what it is.
+herr_t find_silent(hid_t parent, const char* name, const H5O_info_t* info, void* out) {
+  if (info->type != H5O_TYPE_DATASET) return 0;
+  const h5::Handle set(H5Dopen2(parent, name, H5P_DEFAULT), name);
+  auto& [sets, silent] = *static_cast<std::pair<int, std::string>*>(out);
+  ++sets;
+  if (H5Aexists(set, "unit") <= 0 || H5Aexists(set, "description") <= 0) silent += std::string(name) + " ";
+  return 0;
+}
+
+TEST(Records, ExplainEveryDataset) {
+  const TemporaryFolder folder;
+  record(SyntheticRun(Mode::coupled), folder / "a");
+  const h5::Handle file = h5::open_file(folder / "a/records.h5", false);
+  std::pair<int, std::string> found{0, ""};
+  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, find_silent, &found, H5O_INFO_BASIC);
+  EXPECT_GT(found.first, 11 * 15);
+  EXPECT_EQ(found.second, "");
+}
+
+TEST(Records, OfGrainsAloneHaveNoFlow) {
+  const TemporaryFolder folder;
+  const SyntheticRun run(Mode::grains);
+  record(run, folder / "a");
+  const RecordsReader reader(folder / "a/records.h5");
+  EXPECT_EQ(reader.grid().nx, 0);
+  EXPECT_TRUE(reader.frame(3).h.empty());
+  EXPECT_EQ(reader.frame(3).grains.size(), run.grains(0.12).size());
+}
+
+TEST(Records, OfTheSameRunAreTheSame) {
+  const TemporaryFolder folder;
+  record(SyntheticRun(Mode::coupled), folder / "a");
+  record(SyntheticRun(Mode::coupled), folder / "b");
+  record(SyntheticRun(Mode::coupled, 1.01), folder / "c");
+  const RecordsReader a(folder / "a/records.h5"), b(folder / "b/records.h5"), c(folder / "c/records.h5");
+  EXPECT_EQ(first_difference(a, b), "");
+  EXPECT_EQ(first_difference(a, c).substr(0, 35), "windows/momentum_storage row 100: -");
+  EXPECT_EQ(distance(a, c).depth, 0);
+  EXPECT_NEAR(distance(a, c).impulse, 0.01 / 1.01, 1e-12);
+  EXPECT_EQ(distance(a, c).common_frames, 11);
+}
+
+// The run is killed outright in the middle of a stretch between two frames.
+TEST(Records, StayReadableWhenTheRunIsKilled) {
+  const TemporaryFolder folder;
+  const SyntheticRun run(Mode::coupled);
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    Records records(folder / "records.h5", "scene");
+    run.play({&records}, 0, 0.215, false);
+    kill(getpid(), SIGKILL);
+  }
+  int state = 0;
+  waitpid(child, &state, 0);
+  ASSERT_TRUE(WIFSIGNALED(state));
+  const RecordsReader reader(folder / "records.h5");
+  EXPECT_EQ(reader.text("status"), "running");
+  EXPECT_EQ(reader.frames().size(), 6u);
+  EXPECT_EQ(reader.frame(5).h, run.depth(0.2));
+  EXPECT_EQ(reader.window("time").size(), 200u);
+}
+
+// Interrupted at 0.23 s, continued from a checkpoint at 0.15 s: the same as the run in one piece.
+TEST(Records, OfAContinuedRunAreThoseOfTheUnbrokenOne) {
+  const TemporaryFolder folder;
+  const SyntheticRun run(Mode::coupled);
+  record(run, folder / "whole");
+  std::filesystem::create_directories(folder / "broken");
+  const std::string path = folder / "broken/records.h5", csv = folder / "broken/forces.csv";
+  {
+    Records records(path, "scene");
+    ForcesCsv forces(csv);
+    Xdmf xdmf(folder / "broken");
+    run.play({&records, &forces, &xdmf}, 0, 0.23, true, "interrupted");
+  }
+  EXPECT_EQ(RecordsReader(path).text("status"), "interrupted");
+  {
+    Records records(path, "scene", 0.15);
+    ForcesCsv forces(csv, 0.15);
+    Xdmf xdmf(folder / "broken", 0.15);
+    run.play({&records, &forces, &xdmf}, 0.15);
+  }
+  const RecordsReader whole(folder / "whole/records.h5"), broken(path);
+  EXPECT_EQ(first_difference(whole, broken), "");
+  EXPECT_EQ(broken.text("status"), "done");
+  EXPECT_EQ(broken.events().size(), 2u);
+  for (const char* name : {"forces.csv", "flow.xdmf", "grains.xdmf"})
+    EXPECT_EQ(read_text(folder / (std::string("broken/") + name)), read_text(folder / (std::string("whole/") + name))) << name;
+}
+
+}  // namespace
+}  // namespace couloir::testing

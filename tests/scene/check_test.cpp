@@ -1,0 +1,135 @@
+#include "coupling/scene/check.hpp"
+
+#include "scene_fixture.hpp"
+
+namespace couloir {
+namespace {
+
+using Check = SceneFixture;
+
+TEST_F(Check, PassesAGoodScene) {
+  EXPECT_EQ(error(good_scene), "");
+}
+
+TEST_F(Check, ObstacleInTheDomain) {
+  EXPECT_EQ(error(replaced(good_scene, "[1.2 m, 0]", "[1.99 m, 0]")),
+            "scene.yaml:6: obstacles.wall covers x from 1.99 m to 2.01 m and y from -50 mm to 50 mm, which reaches out of the "
+            "domain (x from 0 "
+            "to 2 m, y from -250 mm to 250 mm)");
+}
+
+TEST_F(Check, ObstacleApartFromReleaseAndOthers) {
+  EXPECT_EQ(error(replaced(good_scene, "[1.2 m, 0]", "[0.3 m, 0]")),
+            "scene.yaml:6: obstacles.wall stands in the release; move one of them");
+  EXPECT_EQ(error(replaced(good_scene, "boundaries", "  post: {position: [1.21 m, 0], size: [20 mm, 20 mm, 80 mm]}\nboundaries")),
+            "scene.yaml:7: obstacles.post overlaps obstacles.wall; move one of them");
+}
+
+TEST_F(Check, ObstacleNotThinnerThanACell) {
+  EXPECT_EQ(error(replaced(good_scene, "[20 mm,", "[8 mm,")),
+            "scene.yaml:6: obstacles.wall.size is 8 mm by 100 mm on the bed, thinner than a cell (10 mm), so that the mesh would "
+            "not see it; use "
+            "smaller cells");
+  EXPECT_EQ(error(replaced(good_scene, "[20 mm,", "[8 mm,"), {{"mode", "grains"}}), "") << "without a mesh it does not matter";
+}
+
+TEST_F(Check, ReleaseInTheDomain) {
+  EXPECT_EQ(error(replaced(good_scene, "[0.1 m, 0]", "[-0.1 m, 0]")),
+            "scene.yaml:4: release covers x from -100 mm to 200 mm and y from -100 mm to 100 mm, which reaches out of the domain "
+            "(x from 0 to 2 "
+            "m, y from -250 mm to 250 mm)");
+}
+
+TEST_F(Check, CapAtMostAHemisphere) {
+  EXPECT_EQ(error(replaced(good_scene, "kind: block, position: [0.1 m, 0], length: 300 mm, width: 200 mm, height: 100 mm",
+                           "kind: cap, centre: [0.3, 0], base_radius: 100 mm, height: 110 mm")),
+            "scene.yaml:4: release.height is 110 mm, more than the base radius 100 mm: the cap would overhang; lower it to a "
+            "hemisphere at most");
+}
+
+TEST_F(Check, Mesh) {
+  EXPECT_EQ(error(replaced(good_scene, "  cell: 10 mm", "  cfl: 0.4")),
+            "scene.yaml:8: continuum.cell is missing: mode coupled needs the edge of a cell, a length such as 5 mm");
+  EXPECT_EQ(error(replaced(good_scene, "cell: 10 mm", "cell: 0.1 mm")),
+            "scene.yaml:9: continuum.cell is 0.1 mm, which makes 100 million cells, more than the 20 million allowed; use at "
+            "least 0.223607 mm");
+  EXPECT_EQ(error(replaced(good_scene, "cell: 10 mm", "cell: 0.6 m")),
+            "scene.yaml:9: continuum.cell is 600 mm, too large for a domain of 2 m by 500 mm: it needs 4 cells along the slope "
+            "and 1 across");
+}
+
+TEST_F(Check, GrainsWhereTheModeNeedsThem) {
+  const std::string without = replaced(good_scene, "grains:\n  diameter: 5 mm\n", "");
+  EXPECT_EQ(error(without),
+            "scene.yaml: grains.diameter is missing: mode coupled needs a section grains with the diameter of a simulated grain; "
+            "or use mode: "
+            "continuum");
+  EXPECT_EQ(error(without, {{"mode", "continuum"}}), "");
+  EXPECT_EQ(error(replaced(good_scene, "continuum:\n  cell: 10 mm\n", ""), {{"mode", "grains"}}), "");
+}
+
+TEST_F(Check, GrainsSmallEnough) {
+  EXPECT_EQ(error(replaced(good_scene, "height: 100 mm", "height: 5 mm")),
+            "scene.yaml:11: grains.diameter is 5 mm, and with its spread larger than the flow's greatest depth 5 mm; use smaller "
+            "grains");
+  EXPECT_EQ(error(replaced(good_scene, "100 mm, 80 mm]", "100 mm, 8 mm]")),
+            "scene.yaml:11: grains.diameter is 5 mm, too large for obstacles.wall (100 mm wide, 8 mm high): at most half of the "
+            "smaller");
+}
+
+TEST_F(Check, ScaledDepthCounts) {
+  // 0.02 kg of Vestolen on 300 mm by 200 mm is .52 mm deep.
+  EXPECT_EQ(error(replaced(good_scene, "height: 100 mm", "height: 100 mm, mass: 0.02 kg")),
+            "scene.yaml:11: grains.diameter is 5 mm, and with its spread larger than the flow's greatest depth 0.521648 mm; use "
+            "smaller grains");
+}
+
+TEST_F(Check, AutomaticZoneNeedsAnObstacle) {
+  EXPECT_EQ(error(good_scene, {{"obstacles", "{}"}}),
+            "scene.yaml:10: grains.zone is auto, but there is no obstacle to put it around; give a box {x: [.., ..], y: [.., "
+            "..]} or an obstacle");
+}
+
+TEST_F(Check, Zone) {
+  const auto with = [&](const std::string& box) { return error(good_scene, {{"grains.zone", box}}); };
+  const std::string at = "--set grains.zone: ";
+  EXPECT_EQ(with("{x: [1, 1.4], y: [-0.2, 0.2]}"), "");
+  EXPECT_EQ(with("{x: [1, 2.4], y: [-0.2, 0.2]}"),
+            at + "grains.zone reaches out of the domain (x from 0 to 2 m, y from -250 mm to 250 mm)");
+  EXPECT_EQ(with("{x: [1.4, 1], y: [-0.2, 0.2]}"),
+            at + "grains.zone is empty: x from 1.4 m to 1 m, y from -200 mm to 200 mm; give [from, to] with from below to");
+  EXPECT_EQ(
+      with("{x: [1, 1.21], y: [-0.2, 0.2]}"),
+      at + "grains.zone cuts through obstacles.wall (x from 1.2 m to 1.22 m, y from -50 mm to 50 mm); it must hold it whole");
+  EXPECT_EQ(with("{x: [1.4, 1.8], y: [-0.2, 0.2]}"),
+            at + "grains.zone holds none of the scene's obstacles; move it, or use zone: auto");
+  EXPECT_EQ(with("{x: [1.19, 1.4], y: [-0.2, 0.2]}"), at + "grains.zone is too tight around obstacles.wall: it needs 5 grain "
+                                                           "diameters (25 mm) before it and 2 beside and behind it");
+  EXPECT_EQ(with("{x: [1, 1.02], y: [-0.2, 0.2]}"),
+            at + "grains.zone is 20 mm by 400 mm, too small for grains of 5 mm: at least 5 diameters along and 2 across");
+  EXPECT_EQ(error(good_scene, {{"grains.zone", "{x: [0.01, 1.4], y: [-0.2, 0.2]}"}}),
+            at + "grains.zone.x starts at 10 mm: upstream of the zone the driven layer of grains needs 3 diameters (15 mm)");
+}
+
+TEST_F(Check, PeriodicSidesInPairs) {
+  EXPECT_EQ(error(replaced(good_scene, "left: wall", "left: periodic")),
+            "scene.yaml:7: boundaries.left is periodic, but boundaries.right is not; periodic sides come in pairs");
+  EXPECT_EQ(error(replaced(good_scene, "right: wall", "right: periodic")),
+            "scene.yaml:7: boundaries.right is periodic, but boundaries.left is not; periodic sides come in pairs");
+  EXPECT_EQ(
+      error(replaced(good_scene, "kind: incline, angle: 35 deg, length: 2 m",
+                     "kind: chute, angle: 35 deg, slope: 1, arc: 0.5, runout: 0.5"),
+            {{"boundaries", "{upstream: periodic, downstream: periodic}"}}),
+      "--set boundaries: boundaries.upstream is periodic on a chute, whose ends have different slopes; use wall or outflow");
+}
+
+TEST_F(Check, BasalAngleBelowInternal) {
+  EXPECT_EQ(error(good_scene, {{"material.basal_friction_angle", "38 deg"}}),
+            "--set material.basal_friction_angle: material.basal_friction_angle is 38 deg, above the internal friction angle 37 "
+            "deg: (2.83) has no "
+            "real K; lower it, or use continuum.closure: hydraulic");
+  EXPECT_EQ(error(good_scene, {{"material.basal_friction_angle", "38 deg"}, {"continuum.closure", "hydraulic"}}), "");
+}
+
+}  // namespace
+}  // namespace couloir
