@@ -66,13 +66,16 @@ int run(const RunVerb& verb) {
   ConsoleSettings screen;
   screen.terminal = isatty(fileno(stderr));
   screen.quiet = verb.json;
-  Records records(folder.file("records.h5"), text);
-  Xdmf xdmf(folder.path().string());
-  ForcesCsv forces(folder.file("forces.csv"));
-  Console console(folder.file("log.txt"), screen);
+  RunEnd end;
   Summary summary(folder.file("summary.json"));
-  // Records flush a frame before Xdmf names it; the summary is last, so that its being there means that all else is.
-  const RunEnd end = run_scene(scene, options, {&records, &xdmf, &forces, &console, &summary});
+  {
+    Records records(folder.file("records.h5"), text);
+    Xdmf xdmf(folder.path().string());
+    ForcesCsv forces(folder.file("forces.csv"));
+    Console console(folder.file("log.txt"), screen);
+    // Records flush a frame before Xdmf names it; the summary is last, so that its being there means that all else is.
+    end = run_scene(scene, options, {&records, &xdmf, &forces, &console, &summary});
+  }  // all files are closed before the report reads them
 
   std::string page;
   if (!verb.no_report) page = draw_report({folder.path().string()}, "");

@@ -13,6 +13,8 @@
 namespace couloir {
 namespace {
 
+constexpr int most_halvings = 6;  // of a step that would overdraw a cell; then the depth is clipped and the budget says so
+
 void check(const SolverSettings& s, const ReferenceSurface& surface) {
   const auto require = [](bool good, const char* sentence) {
     if (!good) throw std::invalid_argument(sentence);
@@ -40,11 +42,11 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
       ghosts(mesh, s.sides),
       states(mesh.blocks().size()),
       faces(mesh.blocks().size()),
-      tallies(mesh.blocks().size()),
       scratch(s.threads),
       inflow_block(mesh.blocks().size(), 0),
       impulse(bed.obstacles.size()) {
   ghosts.extend(mesh);
+  for (StageRecord& r : record) r.tallies.resize(states.size());
   int largest = 0;
   for (std::size_t k = 0; k < states.size(); ++k) {
     const Block& b = mesh.blocks()[k];
@@ -64,12 +66,18 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
 void Solver::Impl::step(double dt) {
   if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
   dt = std::min(dt, stable_dt());
-  zone.limit(dt, [&](int i, int j) { return get(i, j).h; });
-  choose_blocks(false);
-  run(StageName::predictor, dt);
-  choose_blocks(true);
-  fill_ghosts();
-  run(StageName::corrector, dt);
+  for (int halvings = 0;; ++halvings) {
+    zone.limit(dt, std::ldexp(0.5, -halvings), [&](int i, int j) { return get(i, j).h; });
+    choose_blocks(false);
+    run(StageName::predictor, dt);
+    choose_blocks(true);
+    fill_ghosts();
+    run(StageName::corrector, dt);
+    if (!negative() || halvings == most_halvings) break;
+    go_back();
+    dt *= 0.5;
+  }
+  collect_tallies();
   count_zone(dt);
   time += dt;
   ++steps;
@@ -124,6 +132,7 @@ void Solver::Impl::choose_blocks(bool corrector) {
     const bool active = inflow_block[k] || !faces[k].rim.empty() || near_wet(k % bx, k / bx);
     if (!corrector) {
       states[k].stepped = active;
+      states[k].was_wet = states[k].wet;
     } else if (active && !states[k].stepped) {
       states[k].start = states[k].now;  // the predictor left it as it was
     }
@@ -139,30 +148,59 @@ void Solver::Impl::fill_ghosts() {
 
 void Solver::Impl::run(StageName stage, double dt) {
   const int n = static_cast<int>(chosen.size());
+  StageRecord& r = record[stage == StageName::predictor ? 0 : 1];
+  r.blocks = chosen;
+  std::vector<Tally>& tally = r.tallies;
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
   for (int k = 0; k < n; ++k) {
     const int b = chosen[k];
-    tallies[b].reset(impulse.size(), gauges.size());
-    run_stage(parameters, mesh.blocks()[b], faces[b], zone, states[b], scratch[omp_get_thread_num()], stage, dt, tallies[b]);
+    tally[b].reset(impulse.size(), gauges.size());
+    run_stage(parameters, mesh.blocks()[b], faces[b], zone, states[b], scratch[omp_get_thread_num()], stage, dt, tally[b]);
   }
-  collect_tallies();
+}
+
+// The bound of stable_dt() is that of the step's start; a stage that speeds the flow up a lot may overdraw a cell.
+bool Solver::Impl::negative() const {
+  for (const StageRecord& r : record) {
+    for (int k : r.blocks) {
+      if (r.tallies[k].min_depth < 0) return true;
+    }
+  }
+  return false;
+}
+
+void Solver::Impl::go_back() {
+  for (int k : record[1].blocks) {  // the corrector's blocks hold the predictor's
+    BlockState& s = states[k];
+    const Block& b = mesh.blocks()[k];
+    for (int j = 0; j < b.ny; ++j) {
+      for (int c = b.at(0, j); c < b.at(b.nx, j); ++c) {
+        s.now.h[c] = s.start.h[c], s.now.hu[c] = s.start.hu[c], s.now.hv[c] = s.start.hv[c];
+      }
+    }
+    s.wet = s.was_wet;
+  }
+  choose_blocks(false);
+  fill_ghosts();
 }
 
 void Solver::Impl::collect_tallies() {
   bool finite = true;
-  for (int k : chosen) {
-    const Tally& t = tallies[k];
-    const Block& b = mesh.blocks()[k];
-    budget.add(t.budget);
-    for (std::size_t o = 0; o < impulse.size(); ++o) {
-      impulse[o][0] += t.impulse[o][0];
-      impulse[o][1] += t.impulse[o][1];
+  for (const StageRecord& r : record) {
+    for (int k : r.blocks) {
+      const Tally& t = r.tallies[k];
+      const Block& b = mesh.blocks()[k];
+      budget.add(t.budget);
+      for (std::size_t o = 0; o < impulse.size(); ++o) {
+        impulse[o][0] += t.impulse[o][0];
+        impulse[o][1] += t.impulse[o][1];
+      }
+      for (std::size_t g = 0; g < gauges.size(); ++g) gauges[g].volume += t.gauge[g];
+      min_depth = min_depth_met ? std::min(min_depth, t.min_depth) : t.min_depth;
+      min_depth_met = true;
+      cell_updates += static_cast<std::int64_t>(b.nx) * b.ny;
+      finite = finite && t.finite;
     }
-    for (std::size_t g = 0; g < gauges.size(); ++g) gauges[g].volume += t.gauge[g];
-    min_depth = min_depth_met ? std::min(min_depth, t.min_depth) : t.min_depth;
-    min_depth_met = true;
-    cell_updates += static_cast<std::int64_t>(b.nx) * b.ny;
-    finite = finite && t.finite;
   }
   if (!finite) check_finite();
 }

@@ -29,6 +29,8 @@ struct Solver::Impl {
   void choose_blocks(bool corrector);  // those with material in them or beside them
   void fill_ghosts();
   void run(StageName, double dt);
+  bool negative() const;  // some depth of this step fell below zero
+  void go_back();         // to the start of the step
   void collect_tallies();
   void count_zone(double dt);
   void check_finite() const;  // throws NumericsError
@@ -51,9 +53,13 @@ struct Solver::Impl {
   Ghosts ghosts;
   std::vector<BlockState> states;
   std::vector<BlockFaces> faces;
-  std::vector<Tally> tallies;    // by block
   std::vector<Scratch> scratch;  // by thread
   std::vector<int> chosen;       // blocks to step
+  struct StageRecord {
+    std::vector<int> blocks;
+    std::vector<Tally> tallies;  // by number of the block
+  };
+  std::array<StageRecord, 2> record;  // of the two stages, booked when the step stands
   std::vector<char> inflow_block;
   CoveredZone zone;
   std::vector<std::array<double, 2>> impulse;

@@ -79,7 +79,8 @@ def counts(run, path):
         top_left.legend(loc="best")
         span = max(0.01, (t[-1] - t[0]) / 40)
         top_right.plot(t, rate(t, w["inserted"], span), color=style.GREEN, linewidth=1.6, label="inserted")
-        top_right.plot(t, rate(t, w["returned"], span), color=style.RED, linestyle=style.DASHES[1], linewidth=1.6, label="returned")
+        top_right.plot(t, rate(t, w["returned"], span), color=style.RED, linestyle=style.DASHES[1], linewidth=1.6,
+                       label="returned")
         top_right.set_title(f"Grains a second (mean of {1e3 * span:.0f} ms)")
         top_right.set_ylabel("rate [1/s]")
         top_right.legend(loc="best")

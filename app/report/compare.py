@@ -13,7 +13,8 @@ def forces(runs, labels, path):
     names = list(dict.fromkeys(name for run in runs for name in run.forces if len(run.time)))
     if not names:
         return None
-    figure, axes = plt.subplots(len(names), 1, figsize=(style.WIDTH, 3.8 * len(names)), sharex=True, squeeze=False, layout="constrained")
+    figure, axes = plt.subplots(len(names), 1, figsize=(style.WIDTH, 3.8 * len(names)), sharex=True, squeeze=False,
+                                layout="constrained")
     for a, name in zip(axes.flat, names):
         for k, (run, label) in enumerate(zip(runs, labels)):
             if name not in run.forces or not len(run.time):
@@ -35,10 +36,12 @@ def forces(runs, labels, path):
 
 
 def common_instants(runs, count):
-    """For each of `count` times that all runs reach, the nearest frame of each run."""
+    """For each of `count` frames of the run with the fewest, in the time that all cover, the nearest frame of each run."""
     last = min(run.frames[-1].time for run in runs)
     first = max(run.frames[0].time for run in runs)
-    wanted = np.linspace(first, last, count + 1)[1:]
+    coarse = min(runs, key=lambda run: len(run.frames))
+    times = np.array([frame.time for frame in coarse.frames])
+    wanted = [times[np.argmin(np.abs(times - t))] for t in np.linspace(first, last, count + 1)[1:]]
     return [[min(run.frames, key=lambda frame: abs(frame.time - t)) for run in runs] for t in wanted]
 
 

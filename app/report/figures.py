@@ -16,7 +16,7 @@ MM = 1e3
 @cache
 def wet_depth(run):
     """[m] above which a cell counts as flow in the pictures."""
-    return max(1e-5, 0.25 * run.diameter if not run.has_flow else 0, 0.01 * deepest(run))
+    return max(1e-5, 0.25 * run.diameter if run.mode != "continuum" else 0, 0.01 * deepest(run))
 
 
 @cache
@@ -116,8 +116,9 @@ def draw_side(axes, run, frame, middle, fastest):
         x, y, bed = run.grid
         row = int(np.argmin(np.abs(y - middle)))
         h, base = frame.flow("h")[row], bed[row]
-        axes.fill_between(x * MM, base * MM, (base + h) * MM, where=h > 1e-5, color="#DCE6EE", linewidth=0, step="mid", zorder=1)
-        line = np.where(h > 1e-5, base + h, np.nan)
+        wet = h > wet_depth(run)
+        axes.fill_between(x * MM, base * MM, (base + h) * MM, where=wet, color="#DCE6EE", linewidth=0, step="mid", zorder=1)
+        line = np.where(wet, base + h, np.nan)
         axes.plot(x * MM, line * MM, color=style.BLUE, linewidth=1.6, zorder=4, label="surface of the flow")
     if grains is not None:
         near = np.abs(grains["y"] - middle) < 2 * (run.diameter or 0.005)
@@ -131,8 +132,8 @@ def draw_side(axes, run, frame, middle, fastest):
         axes.add_collection(dots)
     for o in run.obstacles.values():
         if abs(o["y"] - middle) <= o["width"] / 2:
-            axes.add_patch(Rectangle((o["x"] * MM, 0), o["length"] * MM, o["height"] * MM, facecolor="#C9CDD1", edgecolor=style.INK,
-                                     linewidth=1.2, hatch="////", zorder=3))
+            axes.add_patch(Rectangle((o["x"] * MM, 0), o["length"] * MM, o["height"] * MM, facecolor="#C9CDD1",
+                                     edgecolor=style.INK, linewidth=1.2, hatch="////", zorder=3))
     axes.axhline(0, color=style.INK, linewidth=1.4, zorder=3)
     return dots
 
@@ -177,16 +178,18 @@ def forces(run, path):
         a.plot(f["time"], f["fx"], color=style.SKY, linewidth=0.8, label="mean of a window")
         a.plot(f["time"], mean, color=style.BLUE, linewidth=2.2, label="mean of 15 ms")
         k = int(np.argmax(np.abs(mean)))
+        early = f["time"][k] < 0.5 * f["time"][-1]
         if mean[k] != 0:
             a.plot(f["time"][k], mean[k], "o", color=style.RED, markersize=7, zorder=5)
-            left = f["time"][k] < 0.6 * f["time"][-1]
-            a.annotate(f"peak {mean[k]:.3g} N at {f['time'][k]:.3f} s", (f["time"][k], mean[k]), textcoords="offset points",
-                       xytext=(10 if left else -10, 4), ha="left" if left else "right", color=style.RED, fontweight="bold")
+            above = 1.1 * np.max(f["fx"]) if mean[k] > 0 else 1.1 * np.min(f["fx"])  # clear of both curves
+            a.annotate(f" peak {mean[k]:.3g} N at {f['time'][k]:.3f} s ", (f["time"][k], mean[k]), xytext=(f["time"][k], above),
+                       ha="left" if early else "right", va="center", color=style.RED, fontweight="bold",
+                       arrowprops={"arrowstyle": "-", "color": style.RED, "linewidth": 0.8})
         a.axhline(0, color=style.GREY, linewidth=0.8)
         a.set_title(f"Force on {name}, along the slope")
         a.set_ylabel("force [N]")
         a.set_xlim(f["time"][0] - run.windows["length"][0], f["time"][-1])
         a.margins(y=0.12)
-        a.legend(loc="upper right" if not np.any(mean[-len(mean) // 3:] > 0.8 * np.max(np.abs(mean))) else "upper left")
+        a.legend(loc="upper right" if early else "upper left")
     axes.flat[-1].set_xlabel("time [s]")
     return style.save(figure, path)

@@ -31,7 +31,8 @@ figure{margin:0 0 1.4rem}
 figure img{display:block;width:100%;height:auto}
 figcaption{color:var(--soft);font-size:.9rem;margin-top:.3rem}
 @media (max-width:40rem){figure img{width:46rem;max-width:none}body{padding:1rem .8rem 3rem}h1{font-size:1.4rem}}
-@media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}figure,tr,.card{break-inside:avoid}.scroll{overflow:visible}}
+@media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}
+ figure,tr,.card{break-inside:avoid}.scroll{overflow:visible}}
 """
 
 
@@ -60,8 +61,8 @@ def picture(path, caption):
 
 def cards(entries):
     """entries: (value, unit, what)."""
-    body = "".join(f'<div class="card"><strong>{number(v, 3)}{" " + escape(u) if u else ""}</strong><span>{escape(what)}</span></div>'
-                   for v, u, what in entries if v is not None)
+    body = "".join(f'<div class="card"><strong>{number(value, 3)} {escape(unit)}</strong><span>{escape(what)}</span></div>'
+                   for value, unit, what in entries if value is not None)
     return f'<div class="cards">{body}</div>\n'
 
 
@@ -84,7 +85,8 @@ def figures_table(columns, groups):
 def effects_table(effects):
     rows = "".join(f'<tr><th>{escape(e["name"])}</th><td class="{"on" if e["on"] else "off"}">{"on" if e["on"] else "off"}</td>'
                    f'<td>{escape(e["reason"])}</td></tr>' for e in sorted(effects, key=lambda e: not e["on"]))
-    return f'<div class="scroll"><table><thead><tr><th>effect</th><th></th><th>why</th></tr></thead><tbody>{rows}</tbody></table></div>\n'
+    head = "<thead><tr><th>effect</th><th></th><th>why</th></tr></thead>"
+    return f'<div class="scroll"><table>{head}<tbody>{rows}</tbody></table></div>\n'
 
 
 def events_table(events):
@@ -98,6 +100,8 @@ def section(title, body):
 
 def page(title, about, verdict, good, body):
     """`verdict` is HTML; the rest of the texts are escaped."""
-    return (f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
+    return (f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
+            '<meta name="viewport" content="width=device-width, initial-scale=1">'
             f"<title>{escape(title)}</title><style>{CSS}</style></head><body>\n<h1>{escape(title)}</h1>\n"
-            f'<p class="about">{escape(about)}</p>\n<p class="verdict{"" if good else " bad"}">{verdict}</p>\n{body}</body></html>\n')
+            f'<p class="about">{escape(about)}</p>\n<p class="verdict{"" if good else " bad"}">{verdict}</p>\n'
+            f"{body}</body></html>\n")

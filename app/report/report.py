@@ -3,7 +3,8 @@
 
     report.py RUN [RUN...] [--out DIR]
 
-One run: RUN/report/index.html. Several: report/ beside the first. Exit codes: 0 done, 2 a RUN is no run.
+One run: RUN/report/index.html. Several: report/ beside the first. Prints nothing but errors.
+Exit codes: 0 done, 2 a RUN is no run or the report cannot be written.
 """
 
 import argparse
@@ -18,28 +19,32 @@ from read import MODES, NoRun, Run
 
 # (what, unit, path in summary.json): the rows of the key figures, group by group.
 GROUPS = [
-    ("Mass", [("released", "kg", "mass.initial"), ("entered", "kg", "mass.entered"), ("in the domain at the end", "kg", "mass.final"),
+    ("Mass", [("released", "kg", "mass.initial"), ("entered", "kg", "mass.entered"),
+              ("in the domain at the end", "kg", "mass.final"),
               ("left the domain", "kg", "mass.left_domain"), ("went over the obstacles", "kg", "mass.overtopped"),
               ("largest error over the released", "", "mass.relative_error"),
               ("largest momentum residual over the largest momentum", "", "momentum.relative_residual")]),
-    ("Continuum", [("cells", "", "continuum.cells"), ("steps", "", "continuum.steps"), ("least depth before clipping", "m", "continuum.min_depth"),
+    ("Continuum", [("cells", "", "continuum.cells"), ("steps", "", "continuum.steps"),
+                   ("least depth before clipping", "m", "continuum.min_depth"),
                    ("cell updates a second", "1/s", "continuum.cell_updates_per_second")]),
     ("Grains", [("inserted", "", "grains.inserted"), ("returned to the continuum", "", "grains.returned"),
                 ("most at one time", "", "grains.peak_count"), ("engine steps", "", "grains.steps"),
-                ("grains times steps a second", "1/s", "grains.particle_steps_per_second"), ("largest overlap over diameter", "", "grains.max_overlap")]),
+                ("grains times steps a second", "1/s", "grains.particle_steps_per_second"),
+                ("largest overlap over diameter", "", "grains.max_overlap")]),
     ("Cost", [("simulated", "s", "time.simulated"), ("time waited", "s", "time.wall"), ("processor time", "s", "time.cpu"),
               ("of it continuum", "s", "time.cpu_continuum"), ("of it engine", "s", "time.cpu_engine"),
               ("of it coupling", "s", "time.cpu_coupling")]),
 ]
 FORCES = [("peak force (mean of 15 ms)", "N", "force_peak"), ("its time", "s", "force_peak_time"),
           ("peak of a single window", "N", "force_peak_window"), ("mean force since the first contact", "N", "force_mean"),
-          ("force at the end (last 50 ms)", "N", "force_final"), ("impulse", "N s", "impulse"), ("first contact", "s", "first_contact"),
-          ("largest depth on its top", "m", "max_depth_on_top")]
+          ("force at the end (last 50 ms)", "N", "force_final"), ("impulse", "N s", "impulse"),
+          ("first contact", "s", "first_contact"), ("largest depth on its top", "m", "max_depth_on_top")]
 
 
 def wanted(run, group):
     """Whether a group of figures says anything about this run."""
-    return not (group == "Continuum" and not run.figure("continuum.cells") or group == "Grains" and not run.figure("grains.peak_count"))
+    needed = {"Continuum": "continuum.cells", "Grains": "grains.peak_count"}
+    return group not in needed or bool(run.figure(needed[group]))
 
 
 def key_figures(runs, names):
@@ -56,7 +61,8 @@ def verdict_of(run):
     """One or two sentences: how it ended, the force, whether the sums close."""
     s = run.summary
     if not s:
-        return f"Unfinished: the record ends at {number(float(run.time[-1]) if len(run.time) else 0.0)} s and there is no summary."
+        last = float(run.time[-1]) if len(run.time) else 0.0
+        return f"Unfinished: the record ends at {number(last)} s and there is no summary."
     end = {"done": "Done", "interrupted": "Interrupted", "failed": "Failed"}.get(s["status"], s["status"])
     text = f"<b>{end}</b>: {number(s['time']['simulated'])} s simulated in {number(s['time']['wall'], 3)} s"
     text += f" ({s['reason']}). " if s.get("reason") else ". "
@@ -73,7 +79,8 @@ def verdict_of(run):
 def about(run):
     a = run.attributes
     engine = run.figure("engine") or a["engine"]
-    parts = [f"{run.mode} mode", engine, f"run {run.name}", f"couloir {a['couloir_version']} ({a['git_revision']})", a["start_time"]]
+    made_by = f"couloir {a['couloir_version']} ({a['git_revision']})"
+    parts = [f"{run.mode} mode", engine, f"run {run.name}", made_by, a["start_time"]]
     return " · ".join(str(part) for part in parts if part)
 
 
@@ -86,10 +93,12 @@ def report_one(run, out):
     body += section("Forces", picture(figures.forces(run, out / "forces.png"),
                                       "Thin: mean of each coupling window. Thick: running mean of 15 ms, whose peak is quoted."))
     body += section("From above", picture(figures.top_view(run, out / "top.png"),
-                                          "Depth of the flow with its outline; hatched: obstacles; dashed: the zone that the grains hold."))
+                                          "Depth of the flow with its outline; hatched: obstacles; dashed: the zone that the "
+                                          "grains hold."))
     body += section("From the side", picture(figures.side_view(run, out / "side.png"),
-                                             "Section through the middle of the obstacle: grains within two diameters of it, coloured by "
-                                             "speed; line: surface of the flow. Heights along the normal, not exaggerated."))
+                                             "Section through the middle of the obstacle: grains within two diameters of it, "
+                                             "coloured by speed; line: surface of the flow. Heights along the normal, not "
+                                             "exaggerated."))
     body += section("Key figures", key_figures([run], ["value"]) if run.summary else "")
     body += section("Effects", effects_table(run.summary["effects"]) if run.summary.get("effects") else "")
     body += section("Events", events_table(run.events) if run.events else "")
@@ -99,6 +108,12 @@ def report_one(run, out):
     return page(run.title, about(run), verdict_of(run), run.status == "done", body)
 
 
+def cost(run):
+    """Processor seconds for a simulated second, or None."""
+    cpu, simulated = run.figure("time.cpu"), run.figure("time.simulated")
+    return cpu / simulated if cpu and simulated else None
+
+
 def ratio_table(runs, names, best):
     """Forces and cost over those of the most accurate run."""
     rows = []
@@ -106,11 +121,12 @@ def ratio_table(runs, names, best):
         for what, _, key in FORCES:
             if key in ("force_peak", "force_mean", "force_final", "impulse"):
                 rows.append((f"{what} on {name}", ("obstacles", name, key)))
-    rows += [("went over the obstacles", "mass.overtopped"), ("time waited", "time.wall"), ("processor time", "time.cpu")]
+    rows += [("went over the obstacles", "mass.overtopped"), ("time waited", "time.wall"), ("processor time", "time.cpu"),
+             ("processor time for a simulated second", cost)]
     entries = []
     for what, path in rows:
-        base = runs[best].figure(path)
-        values = [run.figure(path) for run in runs]
+        values = [path(run) if callable(path) else run.figure(path) for run in runs]
+        base = values[best]
         entries.append((what, "", [f"{v / base:.2f}" if v is not None and base else None for v in values]))
     return figures_table(names, [(f"Ratio to {names[best]}", entries)])
 
@@ -129,12 +145,16 @@ def report_several(runs, out):
             own, base = (r.figure(("obstacles", obstacle, "force_peak")) for r in (run, runs[best]))
             if own is not None and base:
                 parts.append(f"<b>{names[k]}</b>: peak on {obstacle} {100 * (own / base - 1):+.0f} %".replace("-", "\u2212"))
-        own, base = run.figure("time.cpu"), runs[best].figure("time.cpu")
+        own, base = cost(run), cost(runs[best])
         if own and base:
             parts.append(f"{number(base / own, 2)} times as fast" if own <= base else f"{number(own / base, 2)} times as slow")
     ended = [run.status == "done" for run in runs]
     verdict = f"Against <b>{names[best]}</b>, the most accurate of these runs: " + ", ".join(parts) + "."
     verdict += "" if all(ended) else " Not all runs are done: " + ", ".join(f"{n}: {r.status}" for n, r in zip(names, runs)) + "."
+    covered = [run.figure("time.simulated") or 0 for run in runs]
+    if max(covered) > 1.01 * min(covered):
+        verdict += (f" They cover different times, {number(min(covered), 3)} s to {number(max(covered), 3)} s: impulses, "
+                    "means and forces at the end do not compare.")
     body = section("Forces", picture(compare.forces(runs, names, out / "forces.png"), "The force on each obstacle in all runs."))
     body += section("Ratios", ratio_table(runs, names, best))
     body += section("Depth", picture(compare.depth(runs, names, out / "depth.png"), "Depth at the same instants, on one scale."))
@@ -160,7 +180,6 @@ def main():
     except OSError as error:
         print(f"the report could not be written: {error}", file=sys.stderr)
         return 2
-    print(out / "index.html")
     return 0
 
 

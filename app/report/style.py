@@ -13,11 +13,14 @@ SERIES = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY)
 DASHES = ("-", (0, (5, 1.5)), (0, (1.5, 1.2)), (0, (6, 1.5, 1.5, 1.5)), "--", ":")  # readable in black and white too
 
 plt.rcParams.update({
-    "font.family": "DejaVu Sans", "font.size": 10, "axes.titlesize": 10.5, "axes.titleweight": "bold", "axes.titlelocation": "left",
-    "axes.labelcolor": INK, "axes.edgecolor": "#9AA0A6", "axes.linewidth": 0.8, "axes.spines.top": False, "axes.spines.right": False,
-    "axes.grid": True, "grid.color": "#E4E7EA", "grid.linewidth": 0.7, "axes.axisbelow": True, "text.color": INK,
+    "font.family": "DejaVu Sans", "font.size": 10, "text.color": INK,
+    "axes.titlesize": 10.5, "axes.titleweight": "bold", "axes.titlelocation": "left",
+    "axes.labelcolor": INK, "axes.edgecolor": "#9AA0A6", "axes.linewidth": 0.8,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.axisbelow": True,
+    "axes.grid": True, "grid.color": "#E4E7EA", "grid.linewidth": 0.7,
     "xtick.color": "#4A5056", "ytick.color": "#4A5056", "xtick.labelsize": 9, "ytick.labelsize": 9,
-    "legend.frameon": False, "legend.fontsize": 9, "figure.dpi": 120, "savefig.dpi": 120, "lines.solid_capstyle": "round",
+    "legend.frameon": False, "legend.fontsize": 9, "lines.solid_capstyle": "round",
+    "figure.dpi": 120, "savefig.dpi": 120,
 })
 
 # Pale where thin, dark where deep; its darkness falls steadily, so it also reads in grey.
@@ -33,7 +36,8 @@ def map_grid(rows, columns, ratio, width=WIDTH, title_lines=1):
     """A figure of rows x columns maps of `ratio` = height / width with room for labels and one colour bar, and no gaps."""
     panel = (width - 1.75 - 0.15 * (columns - 1)) / columns
     height = rows * (panel * ratio + 0.34) + 0.45 + 0.17 * (title_lines - 1)
-    figure, axes = plt.subplots(rows, columns, figsize=(width, height), sharex=True, sharey=True, squeeze=False, layout="constrained")
+    figure, axes = plt.subplots(rows, columns, figsize=(width, height), sharex=True, sharey=True, squeeze=False,
+                                layout="constrained")
     for a in axes[-1, :]:
         a.set_xlabel("x, down the slope [mm]")
     return figure, axes

@@ -62,16 +62,16 @@ void CoveredZone::reset_passed() {
   for (Rim& r : rims_) r.passed.assign(r.passed.size(), {});
 }
 
-void CoveredZone::limit(double dt, const std::function<double(int i, int j)>& depth) {
+void CoveredZone::limit(double dt, double share, const std::function<double(int i, int j)>& depth) {
   for (SideName side : all_sides) {
     Rim& r = rim(side);
     for (std::size_t k = 0; r.inside_domain && k < r.imposed.size(); ++k) {
       const FaceFlux& f = r.imposed[k];
       const Neighbour n = neighbour(side, static_cast<int>(k));
       const double taken = dt * (is_low(side) ? f.mass : -f.mass);
-      const double most = 0.5 * depth(n.i, n.j) * (across_x(side) ? dx_ : dy_);
-      const double share = taken > most ? most / taken : 1.0;
-      r.actual[k] = {f.mass * share, f.mom_x * share, f.mom_y * share};
+      const double most = share * depth(n.i, n.j) * (across_x(side) ? dx_ : dy_);
+      const double scale = taken > most ? most / taken : 1.0;
+      r.actual[k] = {f.mass * scale, f.mom_x * scale, f.mom_y * scale};
     }
   }
 }

@@ -35,9 +35,9 @@ class CoveredZone {
   void set_passed(SideName, int k, const FaceFlux&);
   void reset_passed();
 
-  // Scales each imposed flux, mass and momentum together, so that in dt it takes no more than half of what the cell outside
-  // holds; to be called once before both stages of a step.
-  void limit(double dt, const std::function<double(int i, int j)>& depth);
+  // Scales each imposed flux, mass and momentum together, so that in dt it takes no more than this share of what the cell
+  // outside holds; to be called once before both stages of a step.
+  void limit(double dt, double share, const std::function<double(int i, int j)>& depth);
   // The flux that really passes in this step.
   const FaceFlux& actual(SideName, int k) const;
   // Adds dt times the actual flux to passed().

@@ -18,6 +18,14 @@ struct EarthPressure {
   double ky(double du_dx, double dv_dy) const {
     return du_dx >= 0 ? (dv_dy >= 0 ? y_active_active : y_passive_active) : (dv_dy >= 0 ? y_active_passive : y_passive_passive);
   }
+
+  // Between active and passive: compression in x and y as a share in [0, 1] of what mobilises the passive state; 0 and 1 give
+  // the values of kx, ky above.
+  double kx_mobilised(double x) const { return (1 - x) * x_active + x * x_passive; }
+  double ky_mobilised(double x, double y) const {
+    return (1 - x) * ((1 - y) * y_active_active + y * y_passive_active) +
+           x * ((1 - y) * y_active_passive + y * y_passive_passive);
+  }
 };
 
 }  // namespace couloir

@@ -44,6 +44,7 @@ struct BlockState {
   std::vector<double> open;  // 1: the solver's own cell, 0: covered; ghosts included
   bool all_open = true;      // no covered cell, ghosts included
   bool wet = false;          // some depth reaches the dry depth
+  bool was_wet = false;      // at the start of the step
   bool stepped = false;      // took part in the first stage of this step
 };
 

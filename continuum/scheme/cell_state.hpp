@@ -11,8 +11,9 @@ namespace couloir {
 // u, v, eta in all cells, ghosts included; no velocity where the depth is below dry_depth.
 void find_velocity(const Parameters&, const Block&, const Fields&, Scratch&);
 
-// K_x, K_y by (2.85), (2.86) in the interior and the first ghost layer. Dry neighbours have no say in du/dx; a wall that the
-// flow cannot pass counts as its mirror image. Compression within round-off of the velocity counts as none.
+// K_x, K_y in the interior and the first ghost layer by (2.85), (2.86), made continuous: active while the flow stretches, passive
+// once it is compressed by more than a fixed share of the wave speed, and in proportion between. Dry neighbours have no say in
+// du/dx; a wall that the flow cannot pass counts as its mirror image; a cell at rest is active.
 void find_earth_pressure(const Parameters&, const Block&, const StepFaces&, const Fields&, Scratch&);
 
 }  // namespace couloir

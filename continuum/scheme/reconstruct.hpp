@@ -3,20 +3,50 @@
 //
 //       lo   q   hi           slope by the limiter from the differences to both neighbours;
 //    |  x----x----x  |        (lo + hi) / 2 = q, which the positivity bound of the scheme needs
+//
+// With friction no slope is drawn in a shock: a second-order shock leaves ripples behind, and where friction holds the material
+// they never even out. The heap behind a wall would stay too deep (force + 4 % at Fr 7; without slopes + 1 %).
+
+#include <algorithm>
+#include <cmath>
 
 #include "continuum/scheme/axis.hpp"
 #include "continuum/scheme/limiter.hpp"
 
 namespace couloir {
 
+// A shock: the velocity falls across the cell by more than these shares of the wave speed and of itself.
+constexpr double shock_strength = 0.3, shock_share = 0.1;
+
+inline void find_shocks(const Block& b, const Axis& axis, const Fields& q, bool friction, std::vector<double>& smooth) {
+  if (!friction) {
+    std::fill(smooth.begin(), smooth.end(), 1.0);
+    return;
+  }
+  const int step = axis.step;
+  const double *h = q.h.data(), *un = axis.un, *k = axis.k, *weight = b.weight.data() + Block::ghosts;
+  double* s = smooth.data();
+  for (int j = axis.first_j(); j < axis.faces_j; ++j) {
+    const int row = b.at(0, j);
+#pragma omp simd
+    for (int i = axis.first_i(); i < axis.faces_i; ++i) {
+      const int c = row + i;
+      const double deepest = std::max(std::max(h[c], 0.0), std::max(h[c - step], h[c + step]));
+      const double least = shock_strength * std::sqrt(k[c] * weight[i] * deepest) + shock_share * std::abs(un[c]);
+      s[c] = un[c - step] - un[c + step] > least ? 0.0 : 1.0;
+    }
+  }
+}
+
 template <class L>
-void reconstruct(const Block& b, const Axis& axis, const double* __restrict q, double* __restrict lo, double* __restrict hi) {
+void reconstruct(const Block& b, const Axis& axis, const double* __restrict smooth, const double* __restrict q,
+                 double* __restrict lo, double* __restrict hi) {
   const int step = axis.step;
   for (int j = axis.first_j(); j < axis.faces_j; ++j) {
     const int begin = b.at(axis.first_i(), j), end = b.at(axis.faces_i, j);
 #pragma omp simd
     for (int c = begin; c < end; ++c) {
-      const double half = 0.5 * L::slope(q[c] - q[c - step], q[c + step] - q[c]);
+      const double half = 0.5 * smooth[c] * L::slope(q[c] - q[c - step], q[c + step] - q[c]);
       lo[c] = q[c] - half;
       hi[c] = q[c] + half;
     }
@@ -26,15 +56,16 @@ void reconstruct(const Block& b, const Axis& axis, const double* __restrict q, d
 // All four quantities. On a bed without relief the surface is the depth.
 template <class L>
 void reconstruct_all(const Block& b, const Axis& axis, const Fields& q, const Scratch& w, FaceValues& f) {
-  reconstruct<L>(b, axis, q.h.data(), f.h_lo.data(), f.h_hi.data());
+  const double* smooth = w.smooth.data();
+  reconstruct<L>(b, axis, smooth, q.h.data(), f.h_lo.data(), f.h_hi.data());
   if (b.relief) {
-    reconstruct<L>(b, axis, w.eta.data(), f.eta_lo.data(), f.eta_hi.data());
+    reconstruct<L>(b, axis, smooth, w.eta.data(), f.eta_lo.data(), f.eta_hi.data());
   } else {
     f.eta_lo = f.h_lo;
     f.eta_hi = f.h_hi;
   }
-  reconstruct<L>(b, axis, axis.un, f.un_lo.data(), f.un_hi.data());
-  reconstruct<L>(b, axis, axis.ut, f.ut_lo.data(), f.ut_hi.data());
+  reconstruct<L>(b, axis, smooth, axis.un, f.un_lo.data(), f.un_hi.data());
+  reconstruct<L>(b, axis, smooth, axis.ut, f.ut_lo.data(), f.ut_hi.data());
 }
 
 }  // namespace couloir

@@ -32,13 +32,14 @@ struct Scratch {
   std::vector<double> u, v, eta;  // velocity [m/s], surface [m]
   std::vector<double> kx, ky;     // earth pressure coefficients
   std::vector<double> loose;      // 0 where the cell is locked at rest, else 1
+  std::vector<double> smooth;     // 0 where no slope is drawn along the present axis, else 1
   FaceValues values;
   FaceFluxes x, y;
   std::vector<double> source_x, source_y;    // momentum from the bed within the cell [m2/s2]
   std::vector<std::vector<double>> columns;  // sums by column of the block
 
   void resize(int n) {
-    for (auto* a : {&u, &v, &eta, &kx, &ky, &loose, &source_x, &source_y}) a->resize(n);
+    for (auto* a : {&u, &v, &eta, &kx, &ky, &loose, &smooth, &source_x, &source_y}) a->resize(n);
     values.resize(n), x.resize(n), y.resize(n);
   }
 };

@@ -74,7 +74,7 @@ struct NewGrain {
 
 // One raft: the driven grains of one segment, moving as a rigid body:
 //   along the inward normal   m du/dt = sum of forces on its grains + push,   least <= u <= most
-//   along the face            u_along, imposed;      across both: 0
+//   along the face            none while driven, so that the layer keeps its packing; u_along is added when a grain is freed
 // With no grains, or with less than `least_mass`, u = most.
 struct SegmentDrive {
   double push = 0;                  // [N] by the flow outside
@@ -87,7 +87,7 @@ struct SegmentDrive {
 
 struct AdvanceRequest {
   std::int64_t steps = 0;
-  std::vector<NewGrain> insert;     // placed at the start of the first step
+  std::vector<NewGrain> insert;     // where they are before the first step; they drift in it like all others
   std::vector<std::int64_t> remove; // removed before it; an unknown id is an EngineError
   std::vector<std::vector<SegmentDrive>> drives;  // [face][segment]; empty: as before
   bool want_grains = true;          // send the grains back
@@ -107,14 +107,17 @@ struct Grains {                     // sorted by id
   std::size_t size() const { return id.size(); }
 };
 
+// Over an advance of length T, to round-off, with the positions and velocities reported before and after it:
+//   change of the grains' momentum = mass after * gravity * T - sum of surface_force * T + drive_impulse
+//                                    + momentum of inserted grains as given - of removed grains as last reported
 struct Advanced {
   std::int64_t step = 0;            // engine steps since start
   Grains grains;
-  std::vector<Vec> surface_force;   // [N] by the grains on each surface, mean over the steps of this advance
+  std::vector<Vec> surface_force;   // [N] by the grains on each surface, mean over this advance
   std::vector<Vec> surface_force_last;  // [N] at the last step
   std::vector<std::vector<SegmentReport>> segments;
   Vec drive_impulse{};              // [N s] that driving (rafts and strips) gave to the grains, weight and contacts removed
-  double kinetic_energy = 0;        // [J]
+  double kinetic_energy = 0;        // [J] of motion and spin
   double max_overlap = 0;           // [-] largest overlap over mean diameter of the pair, at the last step
   double cpu = 0;                   // [s] of all ranks in this advance
 };

@@ -25,7 +25,9 @@ using Clock = std::chrono::steady_clock;
 constexpr auto slice = std::chrono::milliseconds(50);  // how soon a dead worker is noticed
 constexpr double time_to_end = 2;                      // [s] that a worker asked to stop gets
 
-double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+double seconds_since(Clock::time_point t) {
+  return std::chrono::duration<double>(Clock::now() - t).count();
+}
 
 // An abstract socket: no file, no limit by the length of a path, gone with the process.
 std::string fresh_endpoint() {
@@ -81,12 +83,20 @@ std::string default_worker_path() {
 }
 
 LiggghtsEngine::LiggghtsEngine(std::string worker_path) : worker_path_(std::move(worker_path)) {}
-LiggghtsEngine::~LiggghtsEngine() { stop(); }
+LiggghtsEngine::~LiggghtsEngine() {
+  stop();
+}
 
-std::string LiggghtsEngine::name() const { return name_; }
-int LiggghtsEngine::worker_pid() const { return run_ ? run_->pid : 0; }
+std::string LiggghtsEngine::name() const {
+  return name_;
+}
+int LiggghtsEngine::worker_pid() const {
+  return run_ ? run_->pid : 0;
+}
 
-void LiggghtsEngine::start(const EngineSetup& setup) { open(setup, ""); }
+void LiggghtsEngine::start(const EngineSetup& setup) {
+  open(setup, "");
+}
 
 void LiggghtsEngine::restore(const EngineSetup& setup, const std::string& path) {
   if (!std::filesystem::exists(path)) throw EngineError(fmt::format("the grain engine's checkpoint {} does not exist", path));
@@ -149,9 +159,10 @@ std::string LiggghtsEngine::ask(const std::string& message) {
                          run_->process->how_it_ended()));
       }
       if (seconds_since(heard) > run_->timeout) {
-        fail(fmt::format("the grain engine's worker (pid {}) has not answered for {:g} s and was stopped; a longer limit is set by "
-                         "grains.timeout",
-                         run_->pid ? run_->pid : run_->process->pid(), run_->timeout));
+        fail(fmt::format(
+            "the grain engine's worker (pid {}) has not answered for {:g} s and was stopped; a longer limit is set by "
+            "grains.timeout",
+            run_->pid ? run_->pid : run_->process->pid(), run_->timeout));
       }
     }
   } catch (const zmq::error_t& e) {

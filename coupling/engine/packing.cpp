@@ -17,19 +17,25 @@ namespace {
 constexpr double gravity = 9.81;  // [m/s2]
 constexpr double pi = std::numbers::pi;
 
-double volume(double r) { return 4.0 / 3.0 * pi * r * r * r; }
+double volume(double r) {
+  return 4.0 / 3.0 * pi * r * r * r;
+}
 
 // The standard's distributions differ between libraries; this does not. Uniform in [0, 1).
-double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+double uniform(std::mt19937_64& random) {
+  return static_cast<double>(random() >> 11) * 0x1p-53;
+}
 
-// A loose lattice, shaken, that falls onto the bed: enough grains for the depth at a solid fraction of 0.58 with a layer to spare.
+// A loose lattice, shaken, that falls onto the bed: enough grains for the depth at a solid fraction of 0.58 with a layer to
+// spare.
 std::vector<NewGrain> loose_grains(const PackingSpec& s, double& top) {
   std::mt19937_64 random(static_cast<std::uint64_t>(s.seed));
   const double pitch = 1.03 * s.diameter * (1 + s.spread);
   const int nx = static_cast<int>(s.length / pitch), ny = static_cast<int>(s.width / pitch);
   if (nx < 2 || ny < 2) {
-    throw EngineError(fmt::format("a packing of {:g} m by {:g} m is too small for grains of {:g} m: make it at least three grains long and wide",
-                                  s.length, s.width, s.diameter));
+    throw EngineError(fmt::format(
+        "a packing of {:g} m by {:g} m is too small for grains of {:g} m: make it at least three grains long and wide", s.length,
+        s.width, s.diameter));
   }
   const double wanted = 0.58 * s.length * s.width * (s.depth + 1.5 * s.diameter);  // [m3]
   const double jitter = 0.02 * s.diameter, speed = 1.3 * std::sqrt(gravity * s.diameter);
@@ -41,8 +47,8 @@ std::vector<NewGrain> loose_grains(const PackingSpec& s, double& top) {
         NewGrain g;
         g.id = static_cast<std::int64_t>(grains.size()) + 1;
         g.radius = 0.5 * s.diameter * (1 + s.spread * (2 * uniform(random) - 1));
-        g.position = {(i + 0.5) * s.length / nx + jitter * (uniform(random) - 0.5), (j + 0.5) * s.width / ny + jitter * (uniform(random) - 0.5),
-                      0.6 * pitch + k * pitch};
+        g.position = {(i + 0.5) * s.length / nx + jitter * (uniform(random) - 0.5),
+                      (j + 0.5) * s.width / ny + jitter * (uniform(random) - 0.5), 0.6 * pitch + k * pitch};
         g.velocity = {speed * (uniform(random) - 0.5), speed * (uniform(random) - 0.5), -speed};
         top = g.position[2];
         have += volume(g.radius);
@@ -54,7 +60,8 @@ std::vector<NewGrain> loose_grains(const PackingSpec& s, double& top) {
 }
 
 std::vector<Triangle> bed(double length, double width, double size) {
-  const int nx = std::max(1, static_cast<int>(std::ceil(length / size))), ny = std::max(1, static_cast<int>(std::ceil(width / size)));
+  const int nx = std::max(1, static_cast<int>(std::ceil(length / size))),
+            ny = std::max(1, static_cast<int>(std::ceil(width / size)));
   std::vector<Triangle> triangles;
   const auto node = [&](int i, int j) { return Vec{length * i / nx, width * j / ny, 0.0}; };
   for (int i = 0; i < nx; ++i) {
@@ -109,11 +116,11 @@ EngineSetup packing_setup(const PackingSpec& s, double top, const std::string& w
 }
 
 // Runs until the grains hardly move. Returns their last state.
-Grains settle(const PackingSpec& s, GrainEngine& engine, const std::vector<NewGrain>& loose, double top, const std::string& work_dir,
-              const std::function<void(double)>& progress) {
+Grains settle(const PackingSpec& s, GrainEngine& engine, const std::vector<NewGrain>& loose, double top,
+              const std::string& work_dir, const std::function<void(double)>& progress) {
   const EngineSetup setup = packing_setup(s, top, work_dir);
   const double fall = std::sqrt(2 * top / gravity), longest = 10 * fall + 2;  // [s]
-  const double still = 0.02 * std::sqrt(gravity * s.diameter);                // [m/s] rms, spin included; below it the block only sways
+  const double still = 0.02 * std::sqrt(gravity * s.diameter);  // [m/s] rms, spin included; below it the block only sways
   double mass = 0;
   for (const NewGrain& g : loose) mass += s.density * volume(g.radius);
   engine.start(setup);
@@ -130,7 +137,8 @@ Grains settle(const PackingSpec& s, GrainEngine& engine, const std::vector<NewGr
     first = std::max(first, rms);
     if (time > fall && rms < still) break;
     if (time > longest) {
-      throw EngineError(fmt::format("a packing did not come to rest within {:.3g} s: the grains still move at {:.2g} m/s", longest, rms));
+      throw EngineError(
+          fmt::format("a packing did not come to rest within {:.3g} s: the grains still move at {:.2g} m/s", longest, rms));
     }
     // Grains fall for about `fall`, then calm down by orders of magnitude.
     const double calm = time > fall ? std::clamp(std::log(first / rms) / std::log(first / still), 0.0, 1.0) : 0.0;

@@ -61,7 +61,8 @@ void write_packing(const PackingSpec& spec, const Packing& packing, const std::s
   for (const Packing::Grain& g : packing.grains) out << fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", g.x, g.y, g.z, g.r);
   out.close();
   if (out) std::filesystem::rename(part, file, error);
-  if (!out || error) throw EngineError(fmt::format("the settled packing {} cannot be written: is the folder writable, the disk full?", file));
+  if (!out || error)
+    throw EngineError(fmt::format("the settled packing {} cannot be written: is the folder writable, the disk full?", file));
 }
 
 }  // namespace couloir

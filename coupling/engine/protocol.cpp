@@ -178,7 +178,9 @@ std::string pack(Kind kind, const Body& body) {
 }
 
 // Bytes stay where they are: nothing is copied before it reaches its vector.
-bool by_reference(msgpack::type::object_type, std::size_t, void*) { return true; }
+bool by_reference(msgpack::type::object_type, std::size_t, void*) {
+  return true;
+}
 
 msgpack::object_handle parse(std::string_view message, Kind& kind) {
   try {
@@ -187,9 +189,10 @@ msgpack::object_handle parse(std::string_view message, Kind& kind) {
     if (top.type != msgpack::type::ARRAY || top.via.array.size < 2) throw msgpack::type_error();
     const int spoken = top.via.array.ptr[0].as<int>();
     if (spoken != version) {
-      throw EngineError(fmt::format("the grain engine's worker and this program come from different builds: protocol version {} "
-                                    "against {}; build both again from the same sources",
-                                    spoken, version));
+      throw EngineError(
+          fmt::format("the grain engine's worker and this program come from different builds: protocol version {} "
+                      "against {}; build both again from the same sources",
+                      spoken, version));
     }
     kind = static_cast<Kind>(top.via.array.ptr[1].as<int>());
     return handle;
@@ -212,7 +215,8 @@ void unpack(std::string_view message, Kind expected, Body& body) {
     if (handle.get().via.array.size != 3) throw msgpack::type_error();
     Unpacker::get(handle.get().via.array.ptr[2], body);
   } catch (const msgpack::type_error&) {
-    throw EngineError(fmt::format("a message '{}' between the program and the grain engine's worker has the wrong fields", to_string(kind)));
+    throw EngineError(
+        fmt::format("a message '{}' between the program and the grain engine's worker has the wrong fields", to_string(kind)));
   }
 }
 
@@ -220,16 +224,26 @@ void unpack(std::string_view message, Kind expected, Body& body) {
 
 const char* to_string(Kind kind) {
   switch (kind) {
-    case Kind::hello: return "hello";
-    case Kind::start: return "start";
-    case Kind::started: return "started";
-    case Kind::advance: return "advance";
-    case Kind::checkpoint: return "checkpoint";
-    case Kind::stop: return "stop";
-    case Kind::done: return "done";
-    case Kind::heartbeat: return "heartbeat";
-    case Kind::advanced: return "advanced";
-    case Kind::failed: return "failed";
+    case Kind::hello:
+      return "hello";
+    case Kind::start:
+      return "start";
+    case Kind::started:
+      return "started";
+    case Kind::advance:
+      return "advance";
+    case Kind::checkpoint:
+      return "checkpoint";
+    case Kind::stop:
+      return "stop";
+    case Kind::done:
+      return "done";
+    case Kind::heartbeat:
+      return "heartbeat";
+    case Kind::advanced:
+      return "advanced";
+    case Kind::failed:
+      return "failed";
   }
   return "unknown";
 }
@@ -247,20 +261,48 @@ std::string encode(Kind kind, int version) {
   return std::string(buffer.data(), buffer.size());
 }
 
-std::string encode(const Hello& body) { return pack(Kind::hello, body); }
-std::string encode(const Start& body) { return pack(Kind::start, body); }
-std::string encode(const Started& body) { return pack(Kind::started, body); }
-std::string encode(const AdvanceRequest& body) { return pack(Kind::advance, body); }
-std::string encode(const Checkpoint& body) { return pack(Kind::checkpoint, body); }
-std::string encode(const Advanced& body) { return pack(Kind::advanced, body); }
-std::string encode(const Failed& body) { return pack(Kind::failed, body); }
+std::string encode(const Hello& body) {
+  return pack(Kind::hello, body);
+}
+std::string encode(const Start& body) {
+  return pack(Kind::start, body);
+}
+std::string encode(const Started& body) {
+  return pack(Kind::started, body);
+}
+std::string encode(const AdvanceRequest& body) {
+  return pack(Kind::advance, body);
+}
+std::string encode(const Checkpoint& body) {
+  return pack(Kind::checkpoint, body);
+}
+std::string encode(const Advanced& body) {
+  return pack(Kind::advanced, body);
+}
+std::string encode(const Failed& body) {
+  return pack(Kind::failed, body);
+}
 
-void decode(std::string_view message, Hello& body) { unpack(message, Kind::hello, body); }
-void decode(std::string_view message, Start& body) { unpack(message, Kind::start, body); }
-void decode(std::string_view message, Started& body) { unpack(message, Kind::started, body); }
-void decode(std::string_view message, AdvanceRequest& body) { unpack(message, Kind::advance, body); }
-void decode(std::string_view message, Checkpoint& body) { unpack(message, Kind::checkpoint, body); }
-void decode(std::string_view message, Advanced& body) { unpack(message, Kind::advanced, body); }
-void decode(std::string_view message, Failed& body) { unpack(message, Kind::failed, body); }
+void decode(std::string_view message, Hello& body) {
+  unpack(message, Kind::hello, body);
+}
+void decode(std::string_view message, Start& body) {
+  unpack(message, Kind::start, body);
+}
+void decode(std::string_view message, Started& body) {
+  unpack(message, Kind::started, body);
+}
+void decode(std::string_view message, AdvanceRequest& body) {
+  unpack(message, Kind::advance, body);
+}
+void decode(std::string_view message, Checkpoint& body) {
+  unpack(message, Kind::checkpoint, body);
+}
+void decode(std::string_view message, Advanced& body) {
+  unpack(message, Kind::advanced, body);
+}
+void decode(std::string_view message, Failed& body) {
+  unpack(message, Kind::failed, body);
+}
 
 }  // namespace couloir::protocol

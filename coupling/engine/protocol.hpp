@@ -32,16 +32,16 @@ enum class Kind : int { hello, start, started, advance, checkpoint, stop, done, 
 const char* to_string(Kind);
 
 struct Hello {
-  int pid = 0;              // of the worker's first rank
+  int pid = 0;  // of the worker's first rank
 };
 
 struct Start {
   EngineSetup setup;
-  std::string restore;      // a checkpoint to go on from; empty: start anew
+  std::string restore;  // a checkpoint to go on from; empty: start anew
 };
 
 struct Started {
-  std::string engine;       // name and version
+  std::string engine;  // name and version
 };
 
 struct Checkpoint {
@@ -49,7 +49,7 @@ struct Checkpoint {
 };
 
 struct Failed {
-  std::string reason;       // the engine's own words
+  std::string reason;  // the engine's own words
 };
 
 // The kind of a message. Throws EngineError where it was written by another version of this protocol, or is no message.

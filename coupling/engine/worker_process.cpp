@@ -31,8 +31,16 @@ std::vector<std::string> command_line(const std::string& program, const std::vec
   std::vector<std::string> words;
   if (ranks > 1) {
     // Ranks give way while they wait: there may be fewer cores than ranks and threads of ours.
-    words = {"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--allow-run-as-root", "--bind-to", "none",
-             "--mca", "mpi_yield_when_idle", "1"};
+    words = {"mpirun",
+             "-n",
+             std::to_string(ranks),
+             "--oversubscribe",
+             "--allow-run-as-root",
+             "--bind-to",
+             "none",
+             "--mca",
+             "mpi_yield_when_idle",
+             "1"};
   }
   words.push_back(program);
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -44,17 +52,19 @@ std::vector<std::string> environment() {
   for (char** e = environ; *e; ++e) list.emplace_back(*e);
   list.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
   list.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
-  list.emplace_back("OMPI_MCA_ess_singleton_isolated=1");   // one rank needs no daemon beside it
+  list.emplace_back("OMPI_MCA_ess_singleton_isolated=1");              // one rank needs no daemon beside it
   list.emplace_back("OMPI_MCA_btl_vader_single_copy_mechanism=none");  // not permitted in containers, and then noisy
   return list;
 }
 
 }  // namespace
 
-WorkerProcess::WorkerProcess(const std::string& program, const std::vector<std::string>& arguments, int ranks, const std::string& log) {
+WorkerProcess::WorkerProcess(const std::string& program, const std::vector<std::string>& arguments, int ranks,
+                             const std::string& log) {
   if (access(program.c_str(), X_OK) != 0) {
-    throw EngineError(fmt::format("the grain engine's worker {} cannot be run: {}; build it, or name its folder in COULOIR_WORKER_DIR",
-                                  program, std::strerror(errno)));
+    throw EngineError(
+        fmt::format("the grain engine's worker {} cannot be run: {}; build it, or name its folder in COULOIR_WORKER_DIR", program,
+                    std::strerror(errno)));
   }
   std::vector<std::string> words = command_line(program, arguments, ranks), settings = environment();
   const std::vector<char*> argv = pointers(words), envp = pointers(settings);
@@ -102,7 +112,9 @@ WorkerProcess::WorkerProcess(const std::string& program, const std::vector<std::
   }
 }
 
-WorkerProcess::~WorkerProcess() { kill(); }
+WorkerProcess::~WorkerProcess() {
+  kill();
+}
 
 void WorkerProcess::note(int status) {
   running_ = false;

@@ -18,11 +18,11 @@ class WorkerProcess {
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  pid_t pid() const { return pid_; }     // of the program, or of mpirun
-  bool running();                        // asks the system; false once it has ended
-  bool wait(double seconds);             // true if it ended within that time
-  void kill();                           // SIGKILL to the whole group; returns when it is gone
-  std::string how_it_ended() const;      // "was killed by signal 9 (Killed)", "ended with exit code 3"
+  pid_t pid() const { return pid_; }  // of the program, or of mpirun
+  bool running();                     // asks the system; false once it has ended
+  bool wait(double seconds);          // true if it ended within that time
+  void kill();                        // SIGKILL to the whole group; returns when it is gone
+  std::string how_it_ended() const;   // "was killed by signal 9 (Killed)", "ended with exit code 3"
 
  private:
   void note(int status);

@@ -53,7 +53,6 @@ class CoupledRun : public ModeRun {
             grid.y0 + settings_.box.j1 * grid.dy};
     settings_.rim.diameter = scene_.grains.diameter;
     settings_.window = clock_->window();
-    settings_.timestep = clock_->step();
     settings_.steps = clock_->steps_per_window();
     settings_.gravity = scene_.gravity;
     settings_.periodic_y = scene_.sides[2].kind == SideSpec::Kind::periodic && settings_.box.j0 == 0 && settings_.box.j1 == grid.ny;

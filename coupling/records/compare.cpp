@@ -37,12 +37,19 @@ std::string first_difference(const RecordsReader& a, const RecordsReader& b) {
       const std::string text = difference("forces/" + name + "/" + column, a.force(name, column), b.force(name, column));
       if (!text.empty()) return text;
     }
+  std::vector<double> when[2];
+  for (const Event& event : a.events()) when[0].push_back(event.time);
+  for (const Event& event : b.events()) when[1].push_back(event.time);
+  if (const std::string text = difference("events/time", when[0], when[1]); !text.empty()) return text;
   if (a.frames() != b.frames()) return fmt::format("frames: {} and {}", a.frames().size(), b.frames().size());
   for (const long k : a.frames()) {
     const Frame p = a.frame(k), q = b.frame(k);
     const std::string at = fmt::format("frames/{:06d}/", k);
-    for (const auto& [name, x, y] : {std::tuple{"h", &p.h, &q.h}, {"hu", &p.hu, &q.hu}, {"hv", &p.hv, &q.hv},
-                                     {"grains/x", &p.grains.x, &q.grains.x}, {"grains/vx", &p.grains.vx, &q.grains.vx}}) {
+    for (const auto& [name, x, y] : {std::tuple{"h", &p.h, &q.h},
+                                     {"hu", &p.hu, &q.hu},
+                                     {"hv", &p.hv, &q.hv},
+                                     {"grains/x", &p.grains.x, &q.grains.x},
+                                     {"grains/vx", &p.grains.vx, &q.grains.vx}}) {
       const std::string text = difference(at + name, *x, *y);
       if (!text.empty()) return text;
     }

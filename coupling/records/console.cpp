@@ -76,7 +76,9 @@ void Console::on_window(const WindowReport& window) {
   shown_ = Clock::now();
 }
 
-void Console::on_event(const Event& event) { show(fmt::format("{:.3f} s: {}", event.time, event.what)); }
+void Console::on_event(const Event& event) {
+  show(fmt::format("{:.3f} s: {}", event.time, event.what));
+}
 
 void Console::on_finish(const RunEnd& end) {
   std::string line = fmt::format("{} after {} ({} of processor time)", end.status, in_words(end.wall), in_words(end.cpu));

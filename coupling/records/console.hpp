@@ -38,9 +38,9 @@ class Console : public Observer {
   TextFile log_;
   Clock::time_point begin_, shown_, measured_;
   double duration_ = 0, begin_time_ = -1, measured_time_ = 0, logged_share_ = 0;
-  double rate_ = 0;                 // simulated over wall seconds, of late
+  double rate_ = 0;  // simulated over wall seconds, of late
   long cells_ = 0;
-  std::size_t width_ = 0;           // of what stands on the terminal's last line
+  std::size_t width_ = 0;  // of what stands on the terminal's last line
 };
 
 // "1 h 02 min", "3 min 20 s", "12 s".

@@ -6,12 +6,12 @@ namespace couloir {
 
 // What a force history is reduced to. All of them are of one component: f(t), constant in each window.
 struct ForceFigures {
-  double peak = 0;         // [N] the 15 ms running mean of f where it is largest in magnitude, with its sign
-  double peak_time = 0;    // [s] end of those 15 ms
-  double peak_window = 0;  // [N] the single window's mean that is largest in magnitude: noisier, falls with longer windows
-  double mean = 0;         // [N] from the first contact to the end
-  double final = 0;        // [N] mean of the last 50 ms (of the whole run where that is shorter)
-  double impulse = 0;      // [N s] integral of f over the run
+  double peak = 0;            // [N] the 15 ms running mean of f where it is largest in magnitude, with its sign
+  double peak_time = 0;       // [s] end of those 15 ms
+  double peak_window = 0;     // [N] the single window's mean that is largest in magnitude: noisier, falls with longer windows
+  double mean = 0;            // [N] from the first contact to the end
+  double final = 0;           // [N] mean of the last 50 ms (of the whole run where that is shorter)
+  double impulse = 0;         // [N s] integral of f over the run
   double first_contact = -1;  // [s] start of the first window with a force; -1: never
 };
 
@@ -27,7 +27,7 @@ class ForceSeries {
   ForceFigures figures() const;
 
  private:
-  double impulse_at(double time) const;  // [N s]
+  double impulse_at(double time) const;                // [N s]
   std::vector<double> end_, begin_, force_, impulse_;  // impulse_: at end_
   double contact_ = -1;
 };

@@ -20,7 +20,8 @@ void drop_rows_after(const std::string& path, double time) {
 }  // namespace
 
 ForcesCsv::ForcesCsv(const std::string& path, double resume_time)
-    : file_((resume_time >= 0 ? drop_rows_after(path, resume_time) : void(), path), resume_time >= 0), resumed_(resume_time >= 0) {}
+    : file_((resume_time >= 0 ? drop_rows_after(path, resume_time) : void(), path), resume_time >= 0),
+      resumed_(resume_time >= 0) {}
 
 void ForcesCsv::on_start(const RunStart& start) {
   interval_ = start.scene->record.forces;

@@ -47,15 +47,21 @@ std::string path_of(hid_t object) {
   return file;
 }
 
-std::string writing(hid_t object) { return path_of(object) + " could not be written"; }
-std::string reading(hid_t object, const std::string& name) { return path_of(object) + ": " + name + " could not be read"; }
+std::string writing(hid_t object) {
+  return path_of(object) + " could not be written";
+}
+std::string reading(hid_t object, const std::string& name) {
+  return path_of(object) + ": " + name + " could not be read";
+}
 
 void put_meaning(hid_t set, const Meaning& meaning) {
   put_attribute(set, "unit", meaning.unit);
   put_attribute(set, "description", meaning.description);
 }
 
-Handle scalar_space() { return Handle(H5Screate(H5S_SCALAR), "a dataspace could not be made"); }
+Handle scalar_space() {
+  return Handle(H5Screate(H5S_SCALAR), "a dataspace could not be made");
+}
 
 void put_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
   const std::string doing = writing(object);
@@ -158,14 +164,18 @@ Handle open_file(const std::string& path, bool write) {
   return Handle(H5Fopen(path.c_str(), write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access_without_evictions(doing)), doing);
 }
 
-void flush(hid_t file, const std::string& path) { check(H5Fflush(file, H5F_SCOPE_LOCAL), path + " could not be written"); }
+void flush(hid_t file, const std::string& path) {
+  check(H5Fflush(file, H5F_SCOPE_LOCAL), path + " could not be written");
+}
 
 Handle create_group(hid_t parent, const std::string& name) {
   if (exists(parent, name)) return Handle(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), writing(parent));
   return Handle(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), writing(parent));
 }
 
-bool exists(hid_t parent, const std::string& name) { return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0; }
+bool exists(hid_t parent, const std::string& name) {
+  return H5Lexists(parent, name.c_str(), H5P_DEFAULT) > 0;
+}
 
 std::vector<std::string> children(hid_t parent) {
   H5G_info_t info;
@@ -228,8 +238,12 @@ void put(hid_t parent, const std::string& name, hid_t type, const void* data, co
   put_meaning(set, meaning);
 }
 
-std::vector<double> numbers(hid_t parent, const std::string& name) { return read<double>(parent, name); }
-std::vector<std::int64_t> integers(hid_t parent, const std::string& name) { return read<std::int64_t>(parent, name); }
+std::vector<double> numbers(hid_t parent, const std::string& name) {
+  return read<double>(parent, name);
+}
+std::vector<std::int64_t> integers(hid_t parent, const std::string& name) {
+  return read<std::int64_t>(parent, name);
+}
 
 std::vector<std::string> texts(hid_t parent, const std::string& name) {
   const std::string doing = reading(parent, name);

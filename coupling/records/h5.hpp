@@ -56,13 +56,21 @@ double number_attribute(hid_t object, const std::string& name);
 template <class T>
 hid_t type_of();
 template <>
-inline hid_t type_of<double>() { return H5T_NATIVE_DOUBLE; }
+inline hid_t type_of<double>() {
+  return H5T_NATIVE_DOUBLE;
+}
 template <>
-inline hid_t type_of<float>() { return H5T_NATIVE_FLOAT; }
+inline hid_t type_of<float>() {
+  return H5T_NATIVE_FLOAT;
+}
 template <>
-inline hid_t type_of<std::int64_t>() { return H5T_NATIVE_INT64; }
+inline hid_t type_of<std::int64_t>() {
+  return H5T_NATIVE_INT64;
+}
 template <>
-inline hid_t type_of<std::int8_t>() { return H5T_NATIVE_INT8; }
+inline hid_t type_of<std::int8_t>() {
+  return H5T_NATIVE_INT8;
+}
 
 using Shape = std::vector<hsize_t>;  // slowest index first; empty: one number
 

@@ -14,7 +14,9 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-std::string frame_path(long index) { return fmt::format("frames/{:06d}", index); }
+std::string frame_path(long index) {
+  return fmt::format("frames/{:06d}", index);
+}
 
 }  // namespace
 
@@ -29,8 +31,12 @@ RecordsReader::RecordsReader(const std::string& path) : file_(h5::open_file(path
   if (text("format") != "couloir records") throw RecordError(path + " is not a record of couloir");
 }
 
-std::string RecordsReader::text(const std::string& attribute) const { return h5::text_attribute(file_, attribute); }
-double RecordsReader::number(const std::string& attribute) const { return h5::number_attribute(file_, attribute); }
+std::string RecordsReader::text(const std::string& attribute) const {
+  return h5::text_attribute(file_, attribute);
+}
+double RecordsReader::number(const std::string& attribute) const {
+  return h5::number_attribute(file_, attribute);
+}
 
 Grid RecordsReader::grid() const {
   Grid grid;
@@ -49,7 +55,9 @@ Grid RecordsReader::grid() const {
   return grid;
 }
 
-std::vector<double> RecordsReader::bed() const { return h5::numbers(file_, "grid/bed"); }
+std::vector<double> RecordsReader::bed() const {
+  return h5::numbers(file_, "grid/bed");
+}
 
 std::vector<long> RecordsReader::frames() const {
   const h5::Handle group = h5::create_group(file_, "frames");
@@ -71,16 +79,20 @@ Frame RecordsReader::frame(long index) const {
   const h5::Handle set = h5::create_group(group, "grains");
   Grains& g = out.grains;
   g.id = h5::integers(set, "id");
-  for (const auto& [name, column] : {std::pair{"x", &g.x}, {"y", &g.y}, {"z", &g.z}, {"vx", &g.vx}, {"vy", &g.vy}, {"vz", &g.vz},
-                                     {"radius", &g.radius}})
+  for (const auto& [name, column] :
+       {std::pair{"x", &g.x}, {"y", &g.y}, {"z", &g.z}, {"vx", &g.vx}, {"vy", &g.vy}, {"vz", &g.vz}, {"radius", &g.radius}})
     *column = h5::numbers(set, name);
   for (const std::int64_t driven : h5::integers(set, "driven")) g.driven.push_back(std::int8_t(driven));
   return out;
 }
 
-std::vector<double> RecordsReader::window(const std::string& column) const { return h5::numbers(file_, "windows/" + column); }
+std::vector<double> RecordsReader::window(const std::string& column) const {
+  return h5::numbers(file_, "windows/" + column);
+}
 
-std::vector<std::string> RecordsReader::obstacles() const { return h5::children(h5::create_group(file_, "forces")); }
+std::vector<std::string> RecordsReader::obstacles() const {
+  return h5::children(h5::create_group(file_, "forces"));
+}
 
 std::vector<double> RecordsReader::force(const std::string& obstacle, const std::string& column) const {
   return h5::numbers(file_, "forces/" + obstacle + "/" + column);
@@ -90,7 +102,8 @@ std::vector<Event> RecordsReader::events() const {
   const std::vector<double> times = h5::numbers(file_, "events/time");
   const std::vector<std::string> what = h5::texts(file_, "events/text");
   std::vector<Event> out;
-  for (std::size_t k = 0; k < std::min(times.size(), what.size()); ++k) out.push_back({times[k], what[k]});
+  if (times.size() != what.size()) throw RecordError("the record's events are damaged: times and texts differ in number");
+  for (std::size_t k = 0; k < times.size(); ++k) out.push_back({times[k], what[k]});
   return out;
 }
 

@@ -10,9 +10,9 @@ namespace couloir {
 
 // One frame as it was stored; empty vectors where the run had no continuum or no grains.
 struct Frame {
-  double time = 0;                  // [s]
-  std::vector<double> h, hu, hv;    // [j * nx + i] [m], [m2/s]
-  Grains grains;                    // tilted frame
+  double time = 0;                      // [s]
+  std::vector<double> h, hu, hv;        // [j * nx + i] [m], [m2/s]
+  Grains grains;                        // tilted frame
   bool operator==(const Frame&) const;  // bit for bit
 };
 
@@ -20,15 +20,15 @@ class RecordsReader {
  public:
   explicit RecordsReader(const std::string& path);
 
-  std::string text(const std::string& attribute) const;   // of the root: "scene", "git_revision", "status", ...
-  double number(const std::string& attribute) const;      // "bulk_density", "seed", ...
-  Grid grid() const;                                      // nx = 0: no continuum
+  std::string text(const std::string& attribute) const;  // of the root: "scene", "git_revision", "status", ...
+  double number(const std::string& attribute) const;     // "bulk_density", "seed", ...
+  Grid grid() const;                                     // nx = 0: no continuum
   std::vector<double> bed() const;
 
-  std::vector<long> frames() const;                       // indices, rising
+  std::vector<long> frames() const;  // indices, rising
   Frame frame(long index) const;
 
-  std::vector<double> window(const std::string& column) const;   // as in columns.hpp: "time", "mass_grains", ...
+  std::vector<double> window(const std::string& column) const;  // as in columns.hpp: "time", "mass_grains", ...
   std::vector<std::string> obstacles() const;
   std::vector<double> force(const std::string& obstacle, const std::string& column) const;  // "time", "fx", "fy", ...
   std::vector<Event> events() const;

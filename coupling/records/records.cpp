@@ -16,7 +16,9 @@ constexpr long kWaitingWindows = 256;
 constexpr int kSurfacePoints = 401;
 constexpr double kDry = 1e-6;  // [m] pictures show no velocity in thinner flow
 
-std::string now_utc() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+std::string now_utc() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
 
 }  // namespace
 
@@ -80,11 +82,11 @@ void Records::write_root(const Scene& scene, double bulk_density) {
   for (const auto& [name, value] : texts) h5::put_attribute(file_, name, value);
   h5::put_attribute(file_, "format_version", std::int64_t{kFormatVersion});
   h5::put_attribute(file_, "seed", std::int64_t{scene.grains.seed});
-  h5::put_attribute(file_, "bulk_density", bulk_density);          // [kg/m3]
-  h5::put_attribute(file_, "gravity", scene.gravity);              // [m/s2]
+  h5::put_attribute(file_, "bulk_density", bulk_density);             // [kg/m3]
+  h5::put_attribute(file_, "gravity", scene.gravity);                 // [m/s2]
   h5::put_attribute(file_, "grain_diameter", scene.grains.diameter);  // [m]
-  h5::put_attribute(file_, "width", scene.terrain.width);          // [m]
-  h5::put_attribute(file_, "duration", scene.duration);            // [s]
+  h5::put_attribute(file_, "width", scene.terrain.width);             // [m]
+  h5::put_attribute(file_, "duration", scene.duration);               // [s]
 }
 
 void Records::write_surface() {
@@ -113,7 +115,8 @@ void Records::write_grid(const RunStart& start) {
     for (const auto& [name, value] : numbers) h5::put_attribute(group, name, value);
   }
   const h5::Handle effects = h5::create_group(file_, "effects");
-  h5::TextSeries name(effects, "name", {"", "physical or numerical effect"}), reason(effects, "reason", {"", "why it is on or off"});
+  h5::TextSeries name(effects, "name", {"", "physical or numerical effect"}),
+      reason(effects, "reason", {"", "why it is on or off"});
   h5::Series on(effects, "on", {"1", "1: simulated, 0: not"});
   for (const Effect& e : start.effects) name.add(e.name), on.add(e.on), reason.add(e.reason);
   name.write(), on.write(), reason.write();

@@ -37,7 +37,8 @@ void make_folder(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
   if (error)
-    throw SceneError(fmt::format("{} cannot be made: {} ({}); choose another --out", path.string(), error.message(), there.string()));
+    throw SceneError(
+        fmt::format("{} cannot be made: {} ({}); choose another --out", path.string(), error.message(), there.string()));
 }
 
 }  // namespace

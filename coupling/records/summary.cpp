@@ -58,7 +58,8 @@ void Summary::read_back() {
                             error = run.window("mass_relative_error");
   std::vector<std::array<std::vector<double>, 4>> forces;
   for (const Obstacle& o : obstacles_)
-    forces.push_back({run.force(o.name, "fx"), run.force(o.name, "fy"), run.force(o.name, "fz"), run.force(o.name, "depth_on_top")});
+    forces.push_back(
+        {run.force(o.name, "fx"), run.force(o.name, "fy"), run.force(o.name, "fz"), run.force(o.name, "depth_on_top")});
   for (std::size_t k = 0; k < time.size() && time[k] <= until; ++k) {
     WindowReport window;
     window.time = time[k], window.length = length[k];
@@ -91,7 +92,9 @@ void Summary::take(const WindowReport& window) {
   }
 }
 
-void Summary::on_event(const Event& event) { events_.push_back(event); }
+void Summary::on_event(const Event& event) {
+  events_.push_back(event);
+}
 
 void Summary::on_finish(const RunEnd& end) {
   const MassLedger& m = last_.mass;
@@ -105,12 +108,9 @@ void Summary::on_finish(const RunEnd& end) {
   out["engine"] = end.engine.empty() ? engine_ : end.engine;
   out["bulk_density"] = bulk_density_;
   out["time"] = time_json(end, last_.time);
-  out["mass"] = {{"initial", m.initial},
-                 {"final", m.continuum + m.grains + m.faces + m.airborne},
-                 {"left_domain", m.left_domain},
-                 {"entered", m.entered},
-                 {"overtopped", last_.overtopped},
-                 {"relative_error", mass_error_}};
+  out["mass"] = {{"initial", m.initial},           {"final", m.continuum + m.grains + m.faces + m.airborne},
+                 {"left_domain", m.left_domain},   {"entered", m.entered},
+                 {"overtopped", last_.overtopped}, {"relative_error", mass_error_}};
   out["momentum"] = {{"relative_residual", residual_}};
   out["continuum"] = {{"cells", cells_},
                       {"steps", last_.solver_steps},

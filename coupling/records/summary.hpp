@@ -8,8 +8,9 @@
 //             final: what is still in the domain: continuum + grains + faces + airborne
 //   momentum  .relative_residual: largest |residual| / scale of all windows
 //   continuum .cells, .steps, .cell_updates, .cell_updates_per_second (of cpu_continuum), .min_depth [m] (null: no continuum)
-//   grains    .inserted, .returned, .peak_count, .steps, .particle_steps, .particle_steps_per_second (of cpu_engine), .max_overlap
-//   obstacles.<name> .force_peak, .force_peak_time, .force_peak_window, .force_mean, .force_final, .first_contact (null: never),
+//   grains    .inserted, .returned, .peak_count, .steps, .particle_steps, .particle_steps_per_second (of cpu_engine),
+//   .max_overlap obstacles.<name> .force_peak, .force_peak_time, .force_peak_window, .force_mean, .force_final, .first_contact
+//   (null: never),
 //             .impulse, .impulse_across, .max_depth_on_top: of the component along the slope, defined in force_series.hpp
 //   flow      .max_speed [m/s]
 //   effects   [{name, on, reason}];  events [{time, what}]

@@ -27,7 +27,9 @@ void TextFile::write(const std::string& text) {
   fail(path_);
 }
 
-void TextFile::line(const std::string& text) { write(text + "\n"); }
+void TextFile::line(const std::string& text) {
+  write(text + "\n");
+}
 
 void TextFile::line_before(const std::string& text, const std::string& tail) {
   write(text + "\n");

@@ -18,8 +18,8 @@ std::string head(const std::string& name) {
 }
 
 std::string item(const std::string& shape, const char* type, int bytes, const std::string& path) {
-  return fmt::format("<DataItem Dimensions=\"{}\" NumberType=\"{}\" Precision=\"{}\" Format=\"HDF\">records.h5:{}</DataItem>", shape,
-                     type, bytes, path);
+  return fmt::format("<DataItem Dimensions=\"{}\" NumberType=\"{}\" Precision=\"{}\" Format=\"HDF\">records.h5:{}</DataItem>",
+                     shape, type, bytes, path);
 }
 
 std::string attribute(const char* name, const char* kind, const std::string& data) {
@@ -27,12 +27,15 @@ std::string attribute(const char* name, const char* kind, const std::string& dat
 }
 
 std::string begin(double time, const std::string& topology, const std::string& points) {
-  return fmt::format("      <Grid GridType=\"Uniform\">\n        <Time Value=\"{:.9g}\"/>\n        <Topology {}/>\n"
-                     "        <Geometry GeometryType=\"XYZ\">{}</Geometry>",
-                     time, topology, points);
+  return fmt::format(
+      "      <Grid GridType=\"Uniform\">\n        <Time Value=\"{:.9g}\"/>\n        <Topology {}/>\n"
+      "        <Geometry GeometryType=\"XYZ\">{}</Geometry>",
+      time, topology, points);
 }
 
-std::string frame_path(const FrameView& view) { return fmt::format("/frames/{:06d}/", view.index); }
+std::string frame_path(const FrameView& view) {
+  return fmt::format("/frames/{:06d}/", view.index);
+}
 
 std::string flow_grid(const FrameView& view, const Grid& grid) {
   const std::string at = frame_path(view), scalar = fmt::format("1 {} {}", grid.ny, grid.nx), vector = scalar + " 3";
@@ -58,7 +61,8 @@ std::string grains_grid(const FrameView& view) {
 
 // The whole frames of an earlier file up to `time`.
 std::string frames_until(const std::string& path, double time) {
-  const std::string open = "      <Grid GridType=\"Uniform\">", close = "      </Grid>\n", value = "<Time Value=\"", all = read_text(path);
+  const std::string open = "      <Grid GridType=\"Uniform\">", close = "      </Grid>\n", value = "<Time Value=\"",
+                    all = read_text(path);
   std::string kept;
   for (auto at = all.find(open); at != std::string::npos; at = all.find(open, at + 1)) {
     const auto end = all.find(close, at);
@@ -72,7 +76,9 @@ std::string frames_until(const std::string& path, double time) {
 
 Xdmf::Xdmf(const std::string& folder, double resume_time) : folder_(folder), resume_time_(resume_time) {}
 
-void Xdmf::on_start(const RunStart& start) { grid_ = start.grid; }
+void Xdmf::on_start(const RunStart& start) {
+  grid_ = start.grid;
+}
 
 void Xdmf::on_frame(const FrameView& view) {
   if (view.h) add(flow_, "flow", flow_grid(view, grid_));

@@ -21,7 +21,7 @@ Conveyor::Conveyor(const RimFace& face, int face_index, const PackingTable& tabl
 }
 
 void Conveyor::advance(int segment, double displacement, double mass, const std::vector<double>& depth, double velocity,
-                       double along, double dt, const Occupied& occupied, std::int64_t& next_id, std::vector<NewGrain>& out) {
+                       const Occupied& occupied, std::int64_t& next_id, std::vector<NewGrain>& out) {
   State& s = state_[segment];
   const auto& list = candidates_[segment];
   const double before = s.position, owed_before = s.owed;
@@ -54,14 +54,13 @@ void Conveyor::advance(int segment, double displacement, double mass, const std:
     const double m = table_->grain_mass(c.r);
     if (owed < -4 * m) continue;  // the tail of a flow: nothing left to take
 
-    // It moves with the raft once before its first force is computed.
-    const double distance = -layer_ + (s.position - x) + velocity * dt;
+    const double distance = -layer_ + (s.position - x);
     const double z = std::max(c.z, c.r);  // no overlap with the bed from the weight of a deeper block
     Vec p;
     for (int q = 0; q < 3; ++q) p[q] = o[q] + distance * n[q] + c.along * a[q] + z * up[q];
     if (occupied(segment, p, c.r)) continue;
     Vec v;
-    for (int q = 0; q < 3; ++q) v[q] = velocity * n[q] + along * a[q];
+    for (int q = 0; q < 3; ++q) v[q] = velocity * n[q];
     out.push_back({next_id++, p, v, c.r, face_index_, segment});
     taken += m;
   }

@@ -23,12 +23,12 @@ class Conveyor {
   Conveyor(const RimFace&, int face_index, const PackingTable&, double layer);
 
   // The raft of `segment` moved by `displacement` [m] in the last window (negative: backwards) while the continuum gave
-  // `mass` [kg] through the segment's cells, whose depths are depth[k] [m], k over the face's cells. `velocity` and `along`
-  // [m/s] are the raft's now, `dt` [s] the engine's step: a grain moves once before it is seen. `occupied` tells whether a
-  // sphere overlaps a driven grain of another segment by more than what is harmless.
+  // `mass` [kg] through the segment's cells, whose depths are depth[k] [m], k over the face's cells. `velocity`
+  // [m/s] is the raft's now. `occupied` tells whether a sphere overlaps a driven grain of another segment by more than what
+  // is harmless.
   using Occupied = std::function<bool(int segment, const Vec& centre, double radius)>;
-  void advance(int segment, double displacement, double mass, const std::vector<double>& depth, double velocity, double along,
-               double dt, const Occupied& occupied, std::int64_t& next_id, std::vector<NewGrain>& out);
+  void advance(int segment, double displacement, double mass, const std::vector<double>& depth, double velocity,
+               const Occupied& occupied, std::int64_t& next_id, std::vector<NewGrain>& out);
 
   double owed() const;                          // [kg] given by the continuum, not yet grains; all segments
   double owed(int segment) const { return state_[segment].owed; }

@@ -34,7 +34,7 @@ struct RimSettings {
   double layer = 2;            // depth of the driven layer [d]
   double buffer = 12;          // how far grains that left live on outside as support for those inside [d]
   double strip = 3;            // the buffer's last part, in which they move with the flow outside [d]
-  double segment = 8;          // least width of a segment [d]
+  double segment = 16;         // least width of a segment [d]
 };
 
 class Rim {

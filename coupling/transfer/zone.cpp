@@ -70,8 +70,9 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
       }
       grains.push_back(g);
     }
-    remainder_ = mass - filled;
+    mass -= filled;
   }
+  remainder_ = mass;
   inserted_ = long(grains.size());
   solver.cover(box);
   return grains;
@@ -80,8 +81,10 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
 void Zone::look_outside(const Solver& solver) {
   // Thinner than this, a flow carries no grains worth sending: a hundredth of a diameter.
   const double least = 0.01 * settings_.rim.diameter;
+  const double still = 1e-3 * std::sqrt(settings_.gravity * settings_.rim.diameter);
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
     const RimFace& face = rim_.faces()[f];
+    double all_h = 0, all_hn = 0;
     for (int s = 0; s < face.segments; ++s) {
       double h = 0, hn = 0, ha = 0;
       const int first = s * face.cells_per_segment, last = std::min(face.cells, first + face.cells_per_segment);
@@ -95,12 +98,17 @@ void Zone::look_outside(const Solver& solver) {
       Segment& segment = segments_[f][s];
       segment.depth = h / (last - first);
       if (segment.depth <= least) continue;  // the last flow's velocity carries its driven grains in
-      segment.normal = hn / h;
       segment.along = ha / h;
-      const double still = 1e-3 * std::sqrt(settings_.gravity * settings_.rim.diameter);
-      segment.inflow = segment.normal > still;
+      // A flow that slides along the face is not drawn in: its driven layer would leave the face sideways before it came in.
+      segment.inflow = hn > still * h && hn > steepest_ * std::abs(ha);
+      if (segment.inflow) all_h += h, all_hn += hn;
       if (!segment.inflow) segment.raft = 0;
     }
+    // One velocity for the face's free inflow, so that neighbouring rafts keep step and do not shear their grains into each other;
+    // the depths differ, so the flow that each cell gives still does.
+    if (all_h > 0)
+      for (Segment& segment : segments_[f])
+        if (segment.inflow) segment.normal = all_hn / all_h;
   }
 }
 
@@ -130,10 +138,11 @@ void Zone::impose(Solver& solver) {
         normal_momentum = inward * raft + push(solver, f, k, raft);
         tangential = q.h > 0 ? inward * (face.axis() == 0 ? q.hv : q.hu) / q.h : 0;
       } else {
+        // Not drawn in: the outside leans on the grains as on a wall, and they on it.
         const double g = settings_.gravity * std::cos(surface_->angle(grid_.x(i)));
         const double k_out = solver.earth_pressure(i, j)[face.axis()];
         const double covered = solver.at(ci, cj).h;
-        normal_momentum = 0.25 * k_out * g * (q.h * q.h + covered * covered);
+        normal_momentum = std::max(push(solver, f, k, 0), 0.25 * k_out * g * (q.h * q.h + covered * covered));
       }
       imposed_[f][k] = inward;
       // Parcels: mass and momentum that leave the zone, over the window, per unit width.
@@ -188,8 +197,8 @@ AdvanceRequest Zone::request(Solver& solver) {
     for (int s = 0; s < face.segments; ++s) {
       Segment& segment = segments_[f][s];
       const int first = s * face.cells_per_segment, last = std::min(face.cells, first + face.cells_per_segment);
-      conveyors_[f].advance(s, segment.inflow ? segment.displacement : 0, given[s], depth, segment.raft, segment.along,
-                            settings_.timestep, occupied(f), next_id_, request.insert);
+      conveyors_[f].advance(s, segment.inflow ? segment.displacement : 0, given[s], depth, segment.raft,
+                            occupied(f, request.insert), next_id_, request.insert);
       SegmentDrive& drive = drives[s];
       if (segment.inflow) {
         double force = 0;
@@ -221,16 +230,16 @@ AdvanceRequest Zone::request(Solver& solver) {
   return request;
 }
 
-Conveyor::Occupied Zone::occupied(int face) const {
-  // A twentieth of a diameter is what a settled packing shows under its own weight, many times over.
-  return [this, face](int segment, const Vec& p, double r) {
-    for (const NewGrain& g : layer_) {
-      if (g.face == face && g.segment == segment) continue;
+Conveyor::Occupied Zone::occupied(int face, const std::vector<NewGrain>& inserted) const {
+  // Two per cent: what an impact of half a metre a second makes. More would throw the grain out of the flow when it is freed.
+  return [this, face, &inserted](int segment, const Vec& p, double r) {
+    const auto overlaps = [&](const NewGrain& g) {
+      if (g.face == face && g.segment == segment) return false;
       const double dx = g.position[0] - p[0], dy = g.position[1] - p[1], dz = g.position[2] - p[2];
-      const double reach = 0.95 * (g.radius + r);
-      if (dx * dx + dy * dy + dz * dz < reach * reach) return true;
-    }
-    return false;
+      const double reach = 0.98 * (g.radius + r);
+      return dx * dx + dy * dy + dz * dz < reach * reach;
+    };
+    return std::any_of(layer_.begin(), layer_.end(), overlaps) || std::any_of(inserted.begin(), inserted.end(), overlaps);
   };
 }
 

@@ -23,7 +23,6 @@ struct ZoneSettings {
   CellBox box;
   RimSettings rim;
   double window = 0;         // [s]
-  double timestep = 0;       // [s] the engine's
   std::int64_t steps = 0;    // engine steps in a window
   double gravity = 9.81;     // [m/s2]
   bool periodic_y = false;
@@ -53,14 +52,16 @@ class Zone {
 
  private:
   struct Segment {                       // of a face: what the flow outside does there
-    bool inflow = false;
-    double depth = 0, normal = 0, along = 0;     // [m], [m/s] inward, [m/s]
+    bool inflow = false;                 // comes in steeply enough to be carried by a raft
+    double depth = 0, normal = 0, along = 0;     // [m], [m/s] inward: all inflow of the face together, [m/s]
     double raft = 0, displacement = 0;   // [m/s], [m] of the last window
   };
   void look_outside(const Solver&);
   double push(const Solver&, int face, int k, double raft) const;  // [m3/s2] per unit width and density
   void settle_departed(int face, int segment, const Grains&);
-  Conveyor::Occupied occupied(int face) const;
+  Conveyor::Occupied occupied(int face, const std::vector<NewGrain>& inserted) const;
+
+  static constexpr double steepest_ = 0.5;     // least ratio of normal to tangential velocity that a raft carries in
 
   ZoneSettings settings_;
   Grid grid_;

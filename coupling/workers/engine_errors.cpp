@@ -1,8 +1,10 @@
+#include "coupling/workers/engine_errors.hpp"
+
+#include <liggghts/compute.h>
+
 #include <string>
 
-#include "coupling/workers/engine_errors.hpp"
 #include "coupling/workers/engine_headers.hpp"
-#include <liggghts/compute.h>
 
 namespace {
 
@@ -19,8 +21,12 @@ std::string place(const char* file, int line) {
 
 namespace LAMMPS_NS {
 
-void Error::all(const char* file, int line, const char* text) { raise(text, file, line, true); }
-void Error::one(const char* file, int line, const char* text) { raise(text, file, line, false); }
+void Error::all(const char* file, int line, const char* text) {
+  raise(text, file, line, true);
+}
+void Error::one(const char* file, int line, const char* text) {
+  raise(text, file, line, false);
+}
 void Error::cg(const char* file, int line, const char* text) {
   raise(std::string("not possible with coarse graining: ") + text, file, line, true);
 }

@@ -4,7 +4,9 @@ namespace couloir {
 
 namespace {
 
-double dot(const Vec& a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Vec& a, const double* b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 }  // namespace
 
@@ -64,7 +66,7 @@ Vec FixDrive::raft_velocity(int r) const {
   const Raft& raft = rafts_[static_cast<std::size_t>(r)];
   const DriveFace& face = faces_[static_cast<std::size_t>(raft.face)];
   Vec v;
-  for (int k = 0; k < 3; ++k) v[k] = raft.velocity * face.inward[k] + raft.drive.along * face.along[k];
+  for (int k = 0; k < 3; ++k) v[k] = raft.velocity * face.inward[k];
   return v;
 }
 
@@ -78,7 +80,9 @@ void FixDrive::add_jump(double mass, const Vec& from, const Vec& to) {
   for (int k = 0; k < 3; ++k) jump_[k] += mass * (to[k] - from[k]);
 }
 
-int FixDrive::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
+int FixDrive::setmask() {
+  return LAMMPS_NS::FixConst::POST_FORCE;
+}
 
 // After a set-up of the engine (at the start, after a checkpoint) forces are new and velocities are as they were.
 void FixDrive::setup(int) {
@@ -98,7 +102,8 @@ void FixDrive::post_force(int) {
 }
 
 double FixDrive::distance(const DriveFace& face, const double* x) const {
-  return (x[0] - face.origin[0]) * face.inward[0] + (x[1] - face.origin[1]) * face.inward[1] + (x[2] - face.origin[2]) * face.inward[2];
+  return (x[0] - face.origin[0]) * face.inward[0] + (x[1] - face.origin[1]) * face.inward[1] +
+         (x[2] - face.origin[2]) * face.inward[2];
 }
 
 void FixDrive::release_and_sum() {
@@ -109,6 +114,10 @@ void FixDrive::release_and_sum() {
     const DriveFace& face = faces_[static_cast<std::size_t>(rafts_[r].face)];
     if (distance(face, atom->x[i]) >= 0) {
       raft_[i] = free_grain;
+      Vec freed;
+      for (int k = 0; k < 3; ++k) freed[k] = atom->v[i][k] + rafts_[r].drive.along * face.along[k];
+      add_jump(atom->rmass[i], {atom->v[i][0], atom->v[i][1], atom->v[i][2]}, freed);
+      std::copy(freed.begin(), freed.end(), atom->v[i]);
       continue;
     }
     sums_[2 * r] += dot(face.inward, atom->f[i]);
@@ -151,7 +160,8 @@ bool FixDrive::strip_velocity(const double* x, Vec& velocity) const {
     const DriveFace& face = faces_[f];
     const double d = distance(face, x);
     if (d < -face.strip_end || d > -face.strip_begin) continue;
-    const double s = (x[0] - face.origin[0]) * face.along[0] + (x[1] - face.origin[1]) * face.along[1] + (x[2] - face.origin[2]) * face.along[2];
+    const double s = (x[0] - face.origin[0]) * face.along[0] + (x[1] - face.origin[1]) * face.along[1] +
+                     (x[2] - face.origin[2]) * face.along[2];
     if (s < -edge_ || s > face.segments * face.segment_width + edge_) continue;
     const int segment = std::clamp(static_cast<int>(std::floor(s / face.segment_width)), 0, face.segments - 1);
     const SegmentDrive& drive = rafts_[static_cast<std::size_t>(raft_of(static_cast<int>(f), segment))].drive;
@@ -172,9 +182,15 @@ void FixDrive::hold(int i, const Vec& velocity) {
   }
 }
 
-void FixDrive::grow_arrays(int nmax) { memory->grow(raft_, nmax, "couloir/drive:raft"); }
-void FixDrive::copy_arrays(int from, int to, int) { raft_[to] = raft_[from]; }
-void FixDrive::set_arrays(int i) { raft_[i] = free_grain; }
+void FixDrive::grow_arrays(int nmax) {
+  memory->grow(raft_, nmax, "couloir/drive:raft");
+}
+void FixDrive::copy_arrays(int from, int to, int) {
+  raft_[to] = raft_[from];
+}
+void FixDrive::set_arrays(int i) {
+  raft_[i] = free_grain;
+}
 
 int FixDrive::pack_exchange(int i, double* buffer) {
   buffer[0] = raft_[i];

@@ -5,7 +5,7 @@
 //   f  = contacts + weight
 //   release     distance >= 0: free for good
 //   raft        u <- u + dt (sum f.n + push) / m, clipped to [least, most]
-//   set         v = u n + u_along t; f, torque, spin = 0: the integrator's kicks do nothing
+//   set         v = u n; f, torque, spin = 0: the integrator's kicks do nothing
 //
 // Which raft a grain belongs to is kept with the grain and moves with it between ranks.
 
@@ -39,7 +39,7 @@ class FixDrive : public LAMMPS_NS::Fix {
   void note_exits();  // after drives were set through rafts()
 
   int raft_of(int face, int segment) const { return first_raft_[static_cast<std::size_t>(face)] + segment; }
-  Vec raft_velocity(int raft) const;               // [m/s]
+  Vec raft_velocity(int raft) const;                 // [m/s]
   int& of_grain(int local) { return raft_[local]; }  // free_grain, or its raft
   std::vector<Raft>& rafts() { return rafts_; }
   const std::vector<DriveFace>& faces() const { return faces_; }
@@ -72,8 +72,8 @@ class FixDrive : public LAMMPS_NS::Fix {
   std::vector<double> sums_;  // by raft: force along the normal, mass
   double edge_ = 0;
   bool any_exit_ = false;
-  Vec jump_{};                                  // [N s] of set velocities
-  Vec taken_first_{}, taken_{}, taken_sum_{};   // [N] forces taken away: before the window, at the last step, summed
+  Vec jump_{};                                 // [N s] of set velocities
+  Vec taken_first_{}, taken_{}, taken_sum_{};  // [N] forces taken away: before the window, at the last step, summed
 };
 
 }  // namespace couloir

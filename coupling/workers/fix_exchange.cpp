@@ -11,7 +11,9 @@ FixExchange::FixExchange(LAMMPS_NS::LAMMPS* lmp, int n, char** words) : Fix(lmp,
   next_reneighbor = -1;
 }
 
-int FixExchange::setmask() { return LAMMPS_NS::FixConst::PRE_EXCHANGE; }
+int FixExchange::setmask() {
+  return LAMMPS_NS::FixConst::PRE_EXCHANGE;
+}
 
 void FixExchange::set(Order order, FixDrive* drive) {
   order_ = std::move(order);

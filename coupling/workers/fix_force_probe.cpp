@@ -10,7 +10,8 @@
 namespace couloir {
 
 double* mesh_force(LAMMPS_NS::LAMMPS* engine, const std::string& mesh) {
-  auto* module = dynamic_cast<LAMMPS_NS::MeshModuleStress*>(find_fix<LAMMPS_NS::FixMeshSurface>(engine, mesh)->get_module("stress"));
+  auto* module =
+      dynamic_cast<LAMMPS_NS::MeshModuleStress*>(find_fix<LAMMPS_NS::FixMeshSurface>(engine, mesh)->get_module("stress"));
   if (!module) throw std::logic_error("the engine does not count the force on " + mesh);
   return module->f_total_ptr();
 }
@@ -27,9 +28,13 @@ void FixForceProbe::set_meshes(std::vector<double*> counts) {
   sum_.resize(counts_.size());
 }
 
-int FixForceProbe::setmask() { return LAMMPS_NS::FixConst::POST_FORCE; }
+int FixForceProbe::setmask() {
+  return LAMMPS_NS::FixConst::POST_FORCE;
+}
 
-void FixForceProbe::setup(int) { act(); }
+void FixForceProbe::setup(int) {
+  act();
+}
 
 void FixForceProbe::post_force(int) {
   act();

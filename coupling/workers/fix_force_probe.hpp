@@ -1,6 +1,6 @@
 #pragma once
-// Forces of the grains on each surface. The engine allows a single fix for all surfaces but counts the force on each mesh; a probe
-// before that fix clears the counts and one behind it reads them, step by step and on each rank for itself.
+// Forces of the grains on each surface. The engine allows a single fix for all surfaces but counts the force on each mesh; a
+// probe before that fix clears the counts and one behind it reads them, step by step and on each rank for itself.
 
 #include <vector>
 

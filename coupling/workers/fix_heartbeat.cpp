@@ -2,9 +2,13 @@
 
 namespace couloir {
 
-FixHeartbeat::FixHeartbeat(LAMMPS_NS::LAMMPS* lmp, int n, char** words) : Fix(lmp, n, words) { nevery = 1; }
+FixHeartbeat::FixHeartbeat(LAMMPS_NS::LAMMPS* lmp, int n, char** words) : Fix(lmp, n, words) {
+  nevery = 1;
+}
 
-int FixHeartbeat::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+int FixHeartbeat::setmask() {
+  return LAMMPS_NS::FixConst::END_OF_STEP;
+}
 
 void FixHeartbeat::end_of_step() {
   const auto now = std::chrono::steady_clock::now();

@@ -12,7 +12,9 @@ namespace couloir {
 
 namespace {
 
-std::string surface_file(const EngineSetup& s, std::size_t k) { return fmt::format("{}/surface_{}.stl", s.work_dir, k); }
+std::string surface_file(const EngineSetup& s, std::size_t k) {
+  return fmt::format("{}/surface_{}.stl", s.work_dir, k);
+}
 
 // The box, and around the surfaces: the engine loses triangles that stick out. Grains are held to the box itself elsewhere.
 std::string box_region(const EngineSetup& s) {
@@ -26,11 +28,13 @@ std::string box_region(const EngineSetup& s) {
       }
     }
   }
-  return fmt::format("region box block {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} units box", lo[0], hi[0], lo[1], hi[1], lo[2], hi[2]);
+  return fmt::format("region box block {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} units box", lo[0], hi[0], lo[1], hi[1],
+                     lo[2], hi[2]);
 }
 
 // One number for every pair of materials: type 1 the grains, type 2 + k surface k.
-std::string pair_property(const char* id, const char* property, const EngineSetup& s, double grains, double EngineSurface::*of_surface) {
+std::string pair_property(const char* id, const char* property, const EngineSetup& s, double grains,
+                          double EngineSurface::*of_surface) {
   const std::size_t types = s.surfaces.size() + 1;
   std::string text = fmt::format("fix {} all property/global {} peratomtypepair {}", id, property, types);
   for (std::size_t i = 0; i < types; ++i) {
@@ -77,12 +81,14 @@ std::vector<std::string> liggghts_script(const EngineSetup& s, const std::string
   script.push_back(type_property("material_2", "poissonsRatio", s, s.poisson_ratio));
   script.push_back(pair_property("material_3", "coefficientRestitution", s, s.restitution, nullptr));
   script.push_back(pair_property("material_4", "coefficientFriction", s, s.friction, &EngineSurface::friction));
-  script.push_back(pair_property("material_5", "coefficientRollingFriction", s, s.rolling_friction, &EngineSurface::rolling_friction));
+  script.push_back(
+      pair_property("material_5", "coefficientRollingFriction", s, s.rolling_friction, &EngineSurface::rolling_friction));
   script.push_back("pair_style gran " + model);
   script.push_back("pair_coeff * *");
   script.push_back(fmt::format("timestep {:.17g}", s.timestep));
   if (const double g = std::hypot(s.gravity[0], s.gravity[1], s.gravity[2]); g > 0) {
-    script.push_back(fmt::format("fix weight all gravity {:.17g} vector {:.17g} {:.17g} {:.17g}", g, s.gravity[0], s.gravity[1], s.gravity[2]));
+    script.push_back(fmt::format("fix weight all gravity {:.17g} vector {:.17g} {:.17g} {:.17g}", g, s.gravity[0], s.gravity[1],
+                                 s.gravity[2]));
   }
   std::string meshes;
   for (std::size_t k = 0; k < s.surfaces.size(); ++k) {
@@ -90,7 +96,8 @@ std::vector<std::string> liggghts_script(const EngineSetup& s, const std::string
     meshes += fmt::format(" mesh_{}", k);
   }
   script.push_back("fix probe_before all couloir/probe clear");
-  if (!meshes.empty()) script.push_back(fmt::format("fix walls all wall/gran {} mesh n_meshes {} meshes{}", model, s.surfaces.size(), meshes));
+  if (!meshes.empty())
+    script.push_back(fmt::format("fix walls all wall/gran {} mesh n_meshes {} meshes{}", model, s.surfaces.size(), meshes));
   script.push_back("fix probe all couloir/probe read");
   script.push_back("fix integrate all nve/sphere");
   script.push_back(fmt::format("fix exchange all couloir/exchange {:.17g}", s.max_radius));

@@ -1,6 +1,7 @@
 #include "coupling/workers/liggghts_session.hpp"
 
 #include <fmt/format.h>
+#include <liggghts/library.h>
 
 #include <ctime>
 #include <limits>
@@ -10,7 +11,6 @@
 #include "coupling/workers/fix_heartbeat.hpp"
 #include "coupling/workers/liggghts_script.hpp"
 #include "coupling/workers/register_fix.hpp"
-#include <liggghts/library.h>
 
 namespace couloir {
 
@@ -22,9 +22,13 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-bool finite(const Vec& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
+bool finite(const Vec& v) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
 
-[[noreturn]] void refuse(const std::string& why) { throw EngineFailure(why, true); }
+[[noreturn]] void refuse(const std::string& why) {
+  throw EngineFailure(why, true);
+}
 
 LAMMPS_NS::LAMMPS* open_engine(const std::string& log, MPI_Comm comm) {
   std::vector<std::string> words = {"liggghts", "-log", log, "-screen", "/dev/null", "-echo", "log"};  // "none" crashes at a mesh
@@ -76,7 +80,9 @@ Session::~Session() {
   if (engine_) lammps_close(engine_);
 }
 
-void Session::command(const std::string& line) { lammps_command(engine_, line.c_str()); }
+void Session::command(const std::string& line) {
+  lammps_command(engine_, line.c_str());
+}
 
 // Without its log: the engine would write a table for every window.
 void Session::run(std::int64_t steps) {
@@ -123,18 +129,24 @@ void Session::check(const AdvanceRequest& request) const {
     refuse(fmt::format("an advance over {} steps is not possible", request.steps));
   }
   for (const NewGrain& g : request.insert) {
-    if (g.id <= 0 || g.id > std::numeric_limits<int>::max()) refuse(fmt::format("a grain's id must be in 1..2147483647, not {}", g.id));
-    if (!finite(g.position) || !finite(g.velocity)) refuse(fmt::format("the new grain {} has no finite position or velocity", g.id));
+    if (g.id <= 0 || g.id > std::numeric_limits<int>::max())
+      refuse(fmt::format("a grain's id must be in 1..2147483647, not {}", g.id));
+    if (!finite(g.position) || !finite(g.velocity))
+      refuse(fmt::format("the new grain {} has no finite position or velocity", g.id));
     if (!(g.radius > 0) || g.radius > setup_.max_radius) {
-      refuse(fmt::format("the new grain {} has radius {:g} m; allowed are radii up to {:g} m", g.id, g.radius, setup_.max_radius));
+      refuse(
+          fmt::format("the new grain {} has radius {:g} m; allowed are radii up to {:g} m", g.id, g.radius, setup_.max_radius));
     }
     for (int k = 0; k < 3; ++k) {
       if (!setup_.periodic[k] && (g.position[k] < setup_.lo[k] || g.position[k] > setup_.hi[k])) {
-        refuse(fmt::format("the new grain {} at ({:g}, {:g}, {:g}) m lies outside of the box", g.id, g.position[0], g.position[1], g.position[2]));
+        refuse(fmt::format("the new grain {} at ({:g}, {:g}, {:g}) m lies outside of the box", g.id, g.position[0], g.position[1],
+                           g.position[2]));
       }
     }
-    if (g.segment >= 0 && (g.face < 0 || g.face >= static_cast<int>(setup_.faces.size()) || g.segment >= setup_.faces[g.face].segments)) {
-      refuse(fmt::format("the new grain {} is to be driven by segment {} of face {}, which does not exist", g.id, g.segment, g.face));
+    if (g.segment >= 0 &&
+        (g.face < 0 || g.face >= static_cast<int>(setup_.faces.size()) || g.segment >= setup_.faces[g.face].segments)) {
+      refuse(fmt::format("the new grain {} is to be driven by segment {} of face {}, which does not exist", g.id, g.segment,
+                         g.face));
     }
   }
   if (request.drives.empty()) return;
@@ -143,7 +155,8 @@ void Session::check(const AdvanceRequest& request) const {
     fits = static_cast<int>(request.drives[f].size()) == setup_.faces[f].segments;
     for (const SegmentDrive& d : request.drives[f]) {
       if (!(d.least <= d.most) || !std::isfinite(d.push) || !std::isfinite(d.along) || !finite(d.exit_velocity)) {
-        refuse(fmt::format("face {} has a drive with velocities {:g}..{:g} m/s and push {:g} N, which is not possible", f, d.least, d.most, d.push));
+        refuse(fmt::format("face {} has a drive with velocities {:g}..{:g} m/s and push {:g} N, which is not possible", f,
+                           d.least, d.most, d.push));
       }
     }
   }
@@ -154,7 +167,8 @@ void Session::check(const AdvanceRequest& request) const {
 void Session::check_ids(const AdvanceRequest& request) const {
   std::unordered_map<int, std::size_t> place;  // of each id in `seen`
   for (const std::int64_t id : request.remove) {
-    if (id <= 0 || id > std::numeric_limits<int>::max()) refuse(fmt::format("the grain {} is to be removed, which is unknown", id));
+    if (id <= 0 || id > std::numeric_limits<int>::max())
+      refuse(fmt::format("the grain {} is to be removed, which is unknown", id));
     if (!place.emplace(static_cast<int>(id), place.size()).second) refuse(fmt::format("the grain {} is to be removed twice", id));
   }
   const std::size_t removals = place.size();
@@ -174,7 +188,8 @@ void Session::check_ids(const AdvanceRequest& request) const {
     if (!seen[k]) refuse(fmt::format("the grain {} is to be removed, which is unknown", request.remove[k]));
   }
   for (std::size_t k = removals; k < seen.size(); ++k) {
-    if (seen[k]) refuse(fmt::format("the new grain {} has the id of a grain that is there already", request.insert[k - removals].id));
+    if (seen[k])
+      refuse(fmt::format("the new grain {} has the id of a grain that is there already", request.insert[k - removals].id));
   }
 }
 
@@ -194,10 +209,13 @@ void Session::check_none_lost() {
   std::int64_t sums[2] = {inside, broken ? 1 : 0};
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_INT64_T, MPI_SUM, comm_);
   const std::int64_t step = engine_->update->ntimestep;
-  if (sums[1]) refuse(fmt::format("by step {} the motion of a grain is no longer a finite number: the time step is too long or grains overlap", step));
+  if (sums[1])
+    refuse(fmt::format(
+        "by step {} the motion of a grain is no longer a finite number: the time step is too long or grains overlap", step));
   if (sums[0] != grains_) {
-    refuse(fmt::format("by step {} {} of {} grains have left the box ({:g}..{:g}, {:g}..{:g}, {:g}..{:g}) m", step, grains_ - sums[0], grains_,
-                       setup_.lo[0], setup_.hi[0], setup_.lo[1], setup_.hi[1], setup_.lo[2], setup_.hi[2]));
+    refuse(fmt::format("by step {} {} of {} grains have left the box ({:g}..{:g}, {:g}..{:g}, {:g}..{:g}) m", step,
+                       grains_ - sums[0], grains_, setup_.lo[0], setup_.hi[0], setup_.lo[1], setup_.hi[1], setup_.lo[2],
+                       setup_.hi[2]));
   }
 }
 

@@ -88,8 +88,11 @@ bool obey(const std::string& message, std::unique_ptr<Session>& session, Line& l
       line.say(protocol::encode(protocol::Kind::done));
       return true;
     }
-    case protocol::Kind::stop: return false;
-    default: throw EngineFailure(std::string("the worker got a message '") + protocol::to_string(protocol::kind_of(message)) + "'", true);
+    case protocol::Kind::stop:
+      return false;
+    default:
+      throw EngineFailure(std::string("the worker got a message '") + protocol::to_string(protocol::kind_of(message)) + "'",
+                          true);
   }
 }
 

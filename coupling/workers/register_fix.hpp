@@ -17,7 +17,9 @@ template struct FixMapAccess<&LAMMPS_NS::Modify::fix_map>;
 // After this, "fix ID all STYLE ..." makes an F.
 template <class F>
 void register_fix(LAMMPS_NS::LAMMPS* engine, const std::string& style) {
-  fix_map(*engine->modify)[style] = [](LAMMPS_NS::LAMMPS* lmp, int n, char** words) -> LAMMPS_NS::Fix* { return new F(lmp, n, words); };
+  fix_map(*engine->modify)[style] = [](LAMMPS_NS::LAMMPS* lmp, int n, char** words) -> LAMMPS_NS::Fix* {
+    return new F(lmp, n, words);
+  };
 }
 
 template <class F>

@@ -44,7 +44,8 @@ void Session::checkpoint(const std::string& path) {
     std::filesystem::rename(path + ".drive.part", path + ".drive", side_error);
     std::filesystem::rename(path + ".part", path, error);
     if (error || side_error) {
-      throw EngineFailure(fmt::format("the checkpoint {} cannot be written: {}", path, (error ? error : side_error).message()), false);
+      throw EngineFailure(fmt::format("the checkpoint {} cannot be written: {}", path, (error ? error : side_error).message()),
+                          false);
     }
   }
   MPI_Barrier(comm_);
@@ -55,7 +56,8 @@ SideFile Session::side_file() const {
   SideFile side{engine_->update->ntimestep, grains_, drive_->rafts(), {}};
   std::vector<int> mine;
   for (int i = 0; i < engine_->atom->nlocal; ++i) {
-    if (const int raft = drive_->of_grain(i); raft != FixDrive::free_grain) mine.insert(mine.end(), {engine_->atom->tag[i], raft});
+    if (const int raft = drive_->of_grain(i); raft != FixDrive::free_grain)
+      mine.insert(mine.end(), {engine_->atom->tag[i], raft});
   }
   std::vector<int> counts(static_cast<std::size_t>(ranks_)), offsets(static_cast<std::size_t>(ranks_));
   const int count = static_cast<int>(mine.size());
@@ -90,8 +92,8 @@ void SideFile::write(const std::string& path) const {
   put(out, static_cast<std::uint64_t>(rafts.size()));
   for (const FixDrive::Raft& raft : rafts) {
     const SegmentDrive& d = raft.drive;
-    for (const double value : {raft.velocity, raft.mass, d.push, d.most, d.least, d.along, d.least_mass, d.exit_active ? 1.0 : 0.0,
-                               d.exit_velocity[0], d.exit_velocity[1], d.exit_velocity[2]}) {
+    for (const double value : {raft.velocity, raft.mass, d.push, d.most, d.least, d.along, d.least_mass,
+                               d.exit_active ? 1.0 : 0.0, d.exit_velocity[0], d.exit_velocity[1], d.exit_velocity[2]}) {
       put(out, value);
     }
   }
@@ -110,11 +112,13 @@ SideFile SideFile::read(const std::string& path, const std::vector<DriveFace>& f
   const auto rafts = get<std::uint64_t>(in);
   std::uint64_t expected = 0;
   for (const DriveFace& face : faces) expected += static_cast<std::uint64_t>(face.segments);
-  if (!in || !ours || rafts != expected) throw EngineFailure(fmt::format("{} is missing or does not belong to this scene's zone", path), true);
+  if (!in || !ours || rafts != expected)
+    throw EngineFailure(fmt::format("{} is missing or does not belong to this scene's zone", path), true);
   side.rafts.resize(rafts);
   for (FixDrive::Raft& raft : side.rafts) {
     SegmentDrive& d = raft.drive;
-    for (double* value : {&raft.velocity, &raft.mass, &d.push, &d.most, &d.least, &d.along, &d.least_mass}) *value = get<double>(in);
+    for (double* value : {&raft.velocity, &raft.mass, &d.push, &d.most, &d.least, &d.along, &d.least_mass})
+      *value = get<double>(in);
     d.exit_active = get<double>(in) != 0;
     for (double& value : d.exit_velocity) value = get<double>(in);
   }

@@ -40,7 +40,8 @@ void Session::report_energy_and_overlap(Advanced& result) const {
   double energy = 0;
   for (int i = 0; i < atom.nlocal; ++i) {
     const double *v = atom.v[i], *w = atom.omega[i], r = atom.radius[i];
-    energy += 0.5 * atom.rmass[i] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + 0.4 * r * r * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
+    energy +=
+        0.5 * atom.rmass[i] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + 0.4 * r * r * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
   }
   double overlap = 0;
   const LAMMPS_NS::Pair* pair = engine_->force->pair_match("gran", 1);

@@ -42,6 +42,17 @@ TEST(EarthPressure, FollowsTheSignsOfStretching) {
   EXPECT_EQ(k.ky(-1, -1), k.y_passive_passive);
 }
 
+TEST(EarthPressure, MobilisesFromActiveToPassive) {
+  const auto k = EarthPressure::active_passive(degrees(40), degrees(28));
+  EXPECT_EQ(k.kx_mobilised(0), k.x_active);
+  EXPECT_EQ(k.kx_mobilised(1), k.x_passive);
+  EXPECT_DOUBLE_EQ(k.kx_mobilised(0.5), 0.5 * (k.x_active + k.x_passive));
+  EXPECT_EQ(k.ky_mobilised(0, 0), k.y_active_active);
+  EXPECT_EQ(k.ky_mobilised(0, 1), k.y_passive_active);
+  EXPECT_EQ(k.ky_mobilised(1, 0), k.y_active_passive);
+  EXPECT_EQ(k.ky_mobilised(1, 1), k.y_passive_passive);
+}
+
 TEST(EarthPressure, RefusesAnglesWithoutAStress) {
   EXPECT_THROW(EarthPressure::active_passive(degrees(28), degrees(40)), std::invalid_argument);
   EXPECT_THROW(EarthPressure::active_passive(degrees(90), degrees(40)), std::invalid_argument);
@@ -49,10 +60,11 @@ TEST(EarthPressure, RefusesAnglesWithoutAStress) {
 
 TEST(EarthPressure, OfACellComesFromItsNeighboursVelocities) {
   SolverSettings s = basin(10, 5, 0.1);
+  s.gravity = 0.1;  // slow waves: this compression mobilises all of the passive state
   s.closure = quartz();
   const EarthPressure k = s.closure.earth_pressure;
   Solver solver(s, ReferenceSurface::flat(1), {});
-  solver.set([](double x, double y) { return FlowState{0.1, 0.1 * (x < 0.5 ? x : 1 - x), 0.1 * y}; });
+  solver.set([](double x, double y) { return FlowState{0.1, 0.2 * (x < 0.5 ? x : 1 - x), 0.2 * y + 0.1}; });
   EXPECT_EQ(solver.earth_pressure(2, 2), (std::array<double, 2>{k.x_active, k.y_active_active}));
   EXPECT_EQ(solver.earth_pressure(7, 2), (std::array<double, 2>{k.x_passive, k.y_active_passive}));
 }

@@ -78,7 +78,8 @@ TEST(Exchange, KeepsTheContactsOfTheOthers) {
   ASSERT_EQ(none.size(), three.size());
   double largest = 0;
   for (std::size_t i = 0; i < none.size(); ++i) {
-    largest = std::max({largest, std::abs(none.x[i] - three.x[i]), std::abs(none.y[i] - three.y[i]), std::abs(none.z[i] - three.z[i])});
+    largest =
+        std::max({largest, std::abs(none.x[i] - three.x[i]), std::abs(none.y[i] - three.y[i]), std::abs(none.z[i] - three.z[i])});
   }
   EXPECT_LT(largest, 1e-9 * d);
 }
@@ -100,8 +101,10 @@ TEST(Exchange, RefusesWhatCannotBe) {
   };
   EXPECT_THAT(error([](AdvanceRequest& r) { r.remove = {3, 77}; }), HasSubstr("the grain 77 is to be removed, which is unknown"));
   EXPECT_THAT(error([](AdvanceRequest& r) { r.remove = {3, 3}; }), HasSubstr("the grain 3 is to be removed twice"));
-  EXPECT_THAT(error([](AdvanceRequest& r) { r.insert = lattice(1, 1, 8); }), HasSubstr("the new grain 8 has the id of a grain that is there already"));
-  EXPECT_THAT(error([](AdvanceRequest& r) { r.insert = lattice(1, 1, 3'000'000'000); }), HasSubstr("id must be in 1..2147483647"));
+  EXPECT_THAT(error([](AdvanceRequest& r) { r.insert = lattice(1, 1, 8); }),
+              HasSubstr("the new grain 8 has the id of a grain that is there already"));
+  EXPECT_THAT(error([](AdvanceRequest& r) { r.insert = lattice(1, 1, 3'000'000'000); }),
+              HasSubstr("id must be in 1..2147483647"));
   EXPECT_THAT(error([](AdvanceRequest& r) {
                 r.insert = lattice(1, 1, 50);
                 r.insert[0].position[2] = 1;

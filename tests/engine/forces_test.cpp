@@ -44,7 +44,7 @@ TEST(SurfaceForces, OfSettledGrainsSumToTheWeightAlsoWhenTilted) {
   }
 }
 
-// P1 - P0 = gravity + surfaces + driving + inserted - removed, window by window, with everything going on at once.
+// P1 - P0 = gravity + surfaces + driving + inserted - removed, window by window, with everything going on at once, checkpoints included.
 TEST(Momentum, IsBookedExactly) {
   for (const int ranks : {1, 2}) {
     Folder folder;
@@ -98,6 +98,7 @@ TEST(Momentum, IsBookedExactly) {
         worst = std::max(worst, std::abs(residual) / scale);
       }
       before = a.grains;
+      if (window % 8 == 6) engine.checkpoint(folder.path + "/state");
     }
     EXPECT_LT(worst, 1e-9) << ranks << " ranks";
     RecordProperty("worst_" + std::to_string(ranks), std::to_string(worst));

@@ -66,7 +66,8 @@ TEST(Protocol, AnotherVersionIsRefused) {
 
 TEST(Protocol, GarbledAndMisplacedMessagesAreRefused) {
   const std::string good = protocol::encode(protocol::Checkpoint{"somewhere"});
-  EXPECT_THAT(test::error_of([&] { protocol::kind_of(std::string_view(good).substr(0, good.size() / 2)); }), HasSubstr("cut short or garbled"));
+  EXPECT_THAT(test::error_of([&] { protocol::kind_of(std::string_view(good).substr(0, good.size() / 2)); }),
+              HasSubstr("cut short or garbled"));
   EXPECT_THAT(test::error_of([&] { protocol::kind_of("\x01"); }), HasSubstr("not of our protocol"));
   protocol::Failed other;
   EXPECT_THAT(test::error_of([&] { protocol::decode(good, other); }), HasSubstr("'checkpoint' came where 'failed' was due"));

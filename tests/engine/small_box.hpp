@@ -76,7 +76,9 @@ inline std::vector<NewGrain> lattice(int across, int layers, std::int64_t first_
   return grains;
 }
 
-inline double mass(double r) { return 4.0 / 3.0 * std::numbers::pi * r * r * r * density; }
+inline double mass(double r) {
+  return 4.0 / 3.0 * std::numbers::pi * r * r * r * density;
+}
 
 inline double mass(const Grains& grains) {
   double m = 0;

@@ -56,13 +56,36 @@ TEST(Summary, HoldsTheKeysOfTheContract) {
   const SyntheticRun run(Mode::coupled);
   record(run, folder / "a");
   const auto json = nlohmann::json::parse(read_text(folder / "a/summary.json"));
-  for (const char* key :
-       {"/status", "/scene", "/mode", "/time/simulated", "/time/wall", "/time/cpu", "/mass/initial", "/mass/final",
-        "/mass/left_domain", "/mass/relative_error", "/momentum/relative_residual", "/continuum/cells", "/continuum/steps",
-        "/continuum/cell_updates", "/continuum/cell_updates_per_second", "/continuum/min_depth", "/grains/inserted",
-        "/grains/returned", "/grains/peak_count", "/grains/steps", "/grains/particle_steps_per_second",
-        "/obstacles/wall/force_peak", "/obstacles/wall/force_mean", "/obstacles/wall/force_final", "/obstacles/wall/impulse",
-        "/obstacles/wall/max_depth_on_top", "/effects/0/name", "/effects/0/on", "/effects/0/reason", "/events/0/what"})
+  for (const char* key : {"/status",
+                          "/scene",
+                          "/mode",
+                          "/time/simulated",
+                          "/time/wall",
+                          "/time/cpu",
+                          "/mass/initial",
+                          "/mass/final",
+                          "/mass/left_domain",
+                          "/mass/relative_error",
+                          "/momentum/relative_residual",
+                          "/continuum/cells",
+                          "/continuum/steps",
+                          "/continuum/cell_updates",
+                          "/continuum/cell_updates_per_second",
+                          "/continuum/min_depth",
+                          "/grains/inserted",
+                          "/grains/returned",
+                          "/grains/peak_count",
+                          "/grains/steps",
+                          "/grains/particle_steps_per_second",
+                          "/obstacles/wall/force_peak",
+                          "/obstacles/wall/force_mean",
+                          "/obstacles/wall/force_final",
+                          "/obstacles/wall/impulse",
+                          "/obstacles/wall/max_depth_on_top",
+                          "/effects/0/name",
+                          "/effects/0/on",
+                          "/effects/0/reason",
+                          "/events/0/what"})
     EXPECT_TRUE(json.contains(nlohmann::json::json_pointer(key))) << key;
   EXPECT_EQ(json["status"], "done");
   EXPECT_EQ(json["mode"], "coupled");

@@ -20,8 +20,12 @@ constexpr double kWallX = 0.62, kWallThick = 0.02, kWallWidth = 0.12, kWallHeigh
 constexpr double kMass = 1.4;  // [kg] about what the heap holds at the bulk density below
 constexpr double kZone[4] = {0.5, 0.7, -0.1, 0.1};
 
-double centre(double time) { return 0.25 + 0.5 * time + 0.9 * time * time; }
-double speed(double time) { return 0.5 + 1.8 * time; }
+double centre(double time) {
+  return 0.25 + 0.5 * time + 0.9 * time * time;
+}
+double speed(double time) {
+  return 0.5 + 1.8 * time;
+}
 
 // The heap, longer with time; where the wall stands or shades there is nothing, before it the flow is dammed.
 double depth_at(double x, double y, double time) {

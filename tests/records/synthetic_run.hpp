@@ -18,7 +18,7 @@ struct SyntheticRun {
             const std::string& status = "done") const;
 
   RunStart start() const;
-  WindowReport window(long k) const;   // ends at (k + 1) * length
+  WindowReport window(long k) const;  // ends at (k + 1) * length
   std::vector<double> depth(double time) const;
   Grains grains(double time) const;
   // Force along the slope on the wall in the window that ends at `time` [N]: 0 before 0.1 s, a sine bump of 20 ms and 40 N,

@@ -36,8 +36,9 @@ std::vector<std::string> tags(const std::string& text) {
 int check_references(const std::string& folder, const std::string& name) {
   const std::string text = read_text(folder + "/" + name);
   const h5::Handle file = h5::open_file(folder + "/records.h5", false);
-  static const std::regex item("<DataItem Dimensions=\"([0-9 ]+)\" NumberType=\"(\\w+)\" Precision=\"(\\d)\" "
-                               "Format=\"HDF\">records.h5:([^<]+)</DataItem>");
+  static const std::regex item(
+      "<DataItem Dimensions=\"([0-9 ]+)\" NumberType=\"(\\w+)\" Precision=\"(\\d)\" "
+      "Format=\"HDF\">records.h5:([^<]+)</DataItem>");
   int found = 0;
   for (std::sregex_iterator it(text.begin(), text.end(), item), end; it != end; ++it, ++found) {
     std::istringstream dimensions((*it)[1]);
@@ -88,7 +89,8 @@ TEST(Xdmf, LeavesOutWhatTheModeHasNot) {
   EXPECT_TRUE(std::filesystem::exists(folder / "grains/grains.xdmf"));
 }
 
-// The level frame: the free surface lies h + bed above the surface, and at rest on the incline the flow has no upward normal speed.
+// The level frame: the free surface lies h + bed above the surface, and at rest on the incline the flow has no upward normal
+// speed.
 TEST(Xdmf, DrawsTheFreeSurfaceInTheLevelFrame) {
   const TemporaryFolder folder;
   const SyntheticRun run(Mode::continuum);
