@@ -24,8 +24,8 @@ struct Reach {
 
 Reach reach_of(const ObstacleSpec& o, double d, const FlowEstimate& flow) {
   const double run_up = (flow.froude < 2 ? 15 : 10) * flow.depth;
-  return {std::max({2.5 * o.height, 30 * d, run_up}), std::max({0.5 * o.height, 12 * d, 4 * flow.depth}),
-          std::max(0.5 * o.height, 10 * d)};
+  return {std::max({2 * o.height, 30 * d, run_up}), std::max({0.3 * o.height, 8 * d, 4 * flow.depth}),
+          std::max(0.25 * o.height, 5 * d)};
 }
 
 PlannedZone on_cells(const CellBox& cells, const Grid& grid, std::string reason) {

@@ -16,7 +16,7 @@ void Handback::mark_shadow(std::int64_t id) {
   shadow_[id] = 1;
 }
 
-void Handback::sort(const Grains& g, const std::vector<std::vector<char>>& inflow, std::vector<std::int64_t>& remove) {
+void Handback::sort(const Grains& g, const std::vector<std::vector<Outside>>& outside, std::vector<std::int64_t>& remove) {
   const double d = rim_->settings().diameter;
   const auto& faces = rim_->faces();
   for (std::size_t i = 0; i < g.size(); ++i) {
@@ -38,7 +38,7 @@ void Handback::sort(const Grains& g, const std::vector<std::vector<char>>& inflo
       face = &faces[at];
     }
     const int cell = face->cell_at(face->along(p));
-    const bool incoming = inflow[at][face->segment_of_cell(cell)];
+    const Outside& beyond = outside[at][face->segment_of_cell(cell)];
 
     const auto exchange = [&](double sign) {
       const double m = sign * grain_mass(g.radius[i]);
@@ -53,7 +53,7 @@ void Handback::sort(const Grains& g, const std::vector<std::vector<char>>& inflo
       exchange(-1);
       shadow_[g.id[i]] = 0;
       --returned_;
-    } else if (incoming) {
+    } else if (beyond.inflow) {
       if (distance > -d) continue;
       if (!shadow) {
         exchange(+1);
@@ -67,7 +67,7 @@ void Handback::sort(const Grains& g, const std::vector<std::vector<char>>& inflo
         ++returned_;
         mark_shadow(g.id[i]);
       }
-      if (distance < -rim_->buffer()) remove.push_back(g.id[i]);
+      if (distance < -beyond.buffer) remove.push_back(g.id[i]);
     }
   }
 }

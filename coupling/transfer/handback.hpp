@@ -2,7 +2,8 @@
 // Grains -> continuum. A grain whose centre leaves the zone through a face gives its mass and momentum to the cell outside, once,
 // when it crosses. It then lives on as a `shadow`: still there for the grains inside to lean on (an open exit would make a
 // rarefaction that reaches 10 to 15 d upstream), but no longer counted. Shadows end at the buffer's far side; one that comes back
-// takes its mass back from the continuum. Where the flow outside comes in, a grain that is a diameter out is handed back and
+// takes its mass back from the continuum. Out of a fast flow (normal Froude number above 2) nothing travels back in, and a short
+// buffer will do. Where the flow outside comes in, a grain that is a diameter out is handed back and
 // removed: the driven layer stands there.
 //
 // Keeps: mass (exactly), momentum along the surface (exactly; the part along the normal is lost to the bed).
@@ -23,9 +24,13 @@ class Handback {
  public:
   Handback(const Rim&, const ReferenceSurface&, double grain_density);
 
-  // Sorts out all free grains after a window. `inflow[face][segment]`: the flow comes in there.
+  struct Outside {                  // of a segment
+    bool inflow = false;            // the flow comes in there
+    double buffer = 0;              // [m] how far out shadows live
+  };
+  // Sorts out all free grains after a window. `outside[face][segment]`.
   // Appends to `remove` the ids that must go.
-  void sort(const Grains&, const std::vector<std::vector<char>>& inflow, std::vector<std::int64_t>& remove);
+  void sort(const Grains&, const std::vector<std::vector<Outside>>& outside, std::vector<std::int64_t>& remove);
 
   std::vector<std::vector<Parcel>>& pending() { return pending_; }             // [face][cell]
   const std::vector<std::vector<Parcel>>& pending() const { return pending_; }

@@ -33,6 +33,7 @@ struct RimSettings {
   double diameter = 0;         // [m]
   double layer = 2;            // depth of the driven layer [d]
   double buffer = 12;          // how far grains that left live on outside as support for those inside [d]
+  double short_buffer = 4;     // the same where the outflow is fast [d]
   double strip = 3;            // the buffer's last part, in which they move with the flow outside [d]
   double segment = 16;         // least width of a segment [d]
 };
@@ -45,6 +46,7 @@ class Rim {
   const RimSettings& settings() const { return settings_; }
   double layer() const { return settings_.layer * settings_.diameter; }    // [m]
   double buffer() const { return settings_.buffer * settings_.diameter; }  // [m]
+  double short_buffer() const { return settings_.short_buffer * settings_.diameter; }  // [m]
 
   // The cell outside of the rim that face cell k borders on.
   std::pair<int, int> outside_cell(const RimFace&, int k) const;

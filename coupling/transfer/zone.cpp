@@ -99,6 +99,7 @@ void Zone::look_outside(const Solver& solver) {
       segment.depth = h / (last - first);
       if (segment.depth <= least) continue;  // the last flow's velocity carries its driven grains in
       segment.along = ha / h;
+      segment.fast_outflow = hn < -2 * h * std::sqrt(settings_.gravity * segment.depth);
       // A flow that slides along the face is not drawn in: its driven layer would leave the face sideways before it came in.
       segment.inflow = hn > still * h && hn > steepest_ * std::abs(ha);
       if (segment.inflow) all_h += h, all_hn += hn;
@@ -267,18 +268,18 @@ void Zone::settle_departed(int f, int s, const Grains& g) {
 
 void Zone::absorb(const Advanced& advanced, Solver& solver) {
   const Grains& g = advanced.grains;
-  std::vector<std::vector<char>> inflow;
+  std::vector<std::vector<Handback::Outside>> outside;
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
-    inflow.emplace_back();
+    outside.emplace_back();
     for (int s = 0; s < rim_.faces()[f].segments; ++s) {
       Segment& segment = segments_[f][s];
       segment.displacement = advanced.segments[f][s].displacement;
       segment.raft = advanced.segments[f][s].velocity;
-      inflow.back().push_back(segment.inflow);
+      outside.back().push_back({segment.inflow, segment.fast_outflow ? rim_.short_buffer() : rim_.buffer()});
       if (!segment.inflow && advanced.segments[f][s].mass > 0) settle_departed(f, s, g);
     }
   }
-  handback_.sort(g, inflow, remove_);
+  handback_.sort(g, outside, remove_);
   std::sort(remove_.begin(), remove_.end());
   remove_.erase(std::unique(remove_.begin(), remove_.end()), remove_.end());
 

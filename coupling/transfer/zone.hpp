@@ -53,6 +53,7 @@ class Zone {
  private:
   struct Segment {                       // of a face: what the flow outside does there
     bool inflow = false;                 // comes in steeply enough to be carried by a raft
+    bool fast_outflow = false;           // normal Froude number above 2
     double depth = 0, normal = 0, along = 0;     // [m], [m/s] inward: all inflow of the face together, [m/s]
     double raft = 0, displacement = 0;   // [m/s], [m] of the last window
   };

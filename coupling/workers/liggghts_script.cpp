@@ -76,7 +76,8 @@ std::vector<std::string> liggghts_script(const EngineSetup& s, const std::string
   // Flows shear: a third of a diameter rebuilds the lists seldom enough without making them long.
   const double skin = s.skin > 0 ? s.skin : 0.6 * s.max_radius;
   script.push_back(fmt::format("neighbor {:.17g} bin", skin));
-  script.push_back("neigh_modify delay 0");
+  // Bins as wide as the reach of a contact: the engine's own choice, half of it, makes too many empty ones in a high box.
+  script.push_back(fmt::format("neigh_modify delay 0 binsize {:.17g}", 2 * s.max_radius + skin));
   script.push_back(type_property("material_1", "youngsModulus", s, s.youngs_modulus));
   script.push_back(type_property("material_2", "poissonsRatio", s, s.poisson_ratio));
   script.push_back(pair_property("material_3", "coefficientRestitution", s, s.restitution, nullptr));

@@ -16,6 +16,12 @@ TEST(EarthPressure, HasThePublishedValues) {
   const auto quartz = EarthPressure::active_passive(degrees(40), degrees(28));
   EXPECT_NEAR(quartz.x_active, 0.71341, 5e-6);
   EXPECT_NEAR(quartz.x_passive, 4.10294, 5e-6);
+  const auto vestolen = EarthPressure::active_passive(degrees(37), degrees(24));
+  EXPECT_NEAR(vestolen.x_active, 0.61319, 5e-6);
+  EXPECT_NEAR(vestolen.x_passive, 3.65818, 5e-6);
+  const auto yellow_sand = EarthPressure::active_passive(degrees(33), degrees(27));
+  EXPECT_NEAR(yellow_sand.x_active, 0.88329, 5e-6);
+  EXPECT_NEAR(yellow_sand.x_passive, 2.80363, 5e-6);
   const auto equal = EarthPressure::active_passive(degrees(35), degrees(35));
   EXPECT_NEAR(equal.x_active, 1.98058, 5e-6);
   EXPECT_NEAR(equal.x_passive, 1.98058, 5e-6);
