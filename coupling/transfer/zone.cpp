@@ -73,6 +73,7 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
     mass -= filled;
   }
   remainder_ = mass;
+  fresh_ = true;
   inserted_ = long(grains.size());
   solver.cover(box);
   return grains;
@@ -101,9 +102,11 @@ void Zone::look_outside(const Solver& solver) {
       segment.along = ha / h;
       segment.fast_outflow = hn < -2 * h * std::sqrt(settings_.gravity * segment.depth);
       // A flow that slides along the face is not drawn in: its driven layer would leave the face sideways before it came in.
+      const bool before = segment.inflow;
       segment.inflow = hn > still * h && hn > steepest_ * std::abs(ha);
       if (segment.inflow) all_h += h, all_hn += hn;
-      if (!segment.inflow) segment.raft = 0;
+      // A raft starts with its flow: one that had to be pushed into motion would dam it up first.
+      if (segment.inflow != before) segment.raft = segment.rate = segment.inflow ? hn / h : 0;
     }
     // One velocity for the face's free inflow, so that neighbouring rafts keep step and do not shear their grains into each other;
     // the depths differ, so the flow that each cell gives still does.
@@ -134,7 +137,7 @@ void Zone::impose(Solver& solver) {
       const Segment& segment = segments_[f][face.segment_of_cell(k)];
       double inward = 0, normal_momentum = 0, tangential = 0;
       if (segment.inflow) {
-        const double raft = segment.displacement / settings_.window;
+        const double raft = segment.rate;
         inward = q.h * raft;
         normal_momentum = inward * raft + push(solver, f, k, raft);
         tangential = q.h > 0 ? inward * (face.axis() == 0 ? q.hv : q.hu) / q.h : 0;
@@ -198,6 +201,11 @@ AdvanceRequest Zone::request(Solver& solver) {
     for (int s = 0; s < face.segments; ++s) {
       Segment& segment = segments_[f][s];
       const int first = s * face.cells_per_segment, last = std::min(face.cells, first + face.cells_per_segment);
+      if (fresh_) {  // the layers came filled: what passes before they have moved pays for that
+        const double paid = std::min(lent_, given[s]);
+        lent_ -= paid;
+        given[s] -= paid;
+      }
       conveyors_[f].advance(s, segment.inflow ? segment.displacement : 0, given[s], depth, segment.raft,
                             occupied(f, request.insert), next_id_, request.insert);
       SegmentDrive& drive = drives[s];
@@ -206,29 +214,46 @@ AdvanceRequest Zone::request(Solver& solver) {
         for (int k = first; k < last; ++k) force += push(solver, f, k, segment.raft);
         drive.push = force * face.cell_width * table_->bulk_density();
         drive.most = segment.normal;
-        drive.least = -0.25 * std::sqrt(settings_.gravity * segment.depth);
+        drive.least = fresh_ ? drive.most : -0.25 * std::sqrt(settings_.gravity * segment.depth);
         drive.along = segment.along;
         drive.least_mass = 5 * table_->mean_mass();
         if (face.axis() == 1 && face.drive.along[0] < 0) drive.along = -drive.along;
       } else {
-        // Shadows lean on the flow that they have become, taken where the strip stands.
-        const auto [i, j] = rim_.outside_cell(face, (first + last) / 2);
-        const int reach = int(rim_.buffer() / (face.axis() == 0 ? grid_.dx : grid_.dy));
-        const int si = std::clamp(i - (face.axis() == 0 ? int(face.sign()) * reach : 0), 0, grid_.nx - 1);
-        const int sj = std::clamp(j - (face.axis() == 1 ? int(face.sign()) * reach : 0), 0, grid_.ny - 1);
-        const FlowState q = solver.at(si, sj);
-        const double outward = -face.sign() * (face.axis() == 0 ? q.hu : q.hv);
-        drive.exit_active = q.h > 0.5 * settings_.rim.diameter && outward > 0;
-        if (drive.exit_active) {
-          const Eigen::Vector3d v = q.hu / q.h * surface_->tangent(grid_.x(si)) + q.hv / q.h * Eigen::Vector3d::UnitY();
-          drive.exit_velocity = {v.x(), v.y(), v.z()};
-        }
+        drive_strip(solver, face, first, last, drive);
       }
     }
     request.drives.push_back(std::move(drives));
   }
+  fresh_ = false;
   inserted_ += long(request.insert.size());
   return request;
+}
+
+void Zone::drive_strip(const Solver& solver, const RimFace& face, int first, int last, SegmentDrive& drive) const {
+  const int reach = int(rim_.buffer() / (face.axis() == 0 ? grid_.dx : grid_.dy)), outwards = -int(face.sign());
+  const auto mean = [&](bool beyond) {  // over the segment's cells, where the strip stands or just inside of the face
+    FlowState sum;
+    for (int k = first; k < last; ++k) {
+      auto [i, j] = beyond ? rim_.outside_cell(face, k) : rim_.inside_cell(face, k);
+      if (beyond) (face.axis() == 0 ? i : j) += outwards * reach;
+      const FlowState q = solver.at(std::clamp(i, 0, grid_.nx - 1), std::clamp(j, 0, grid_.ny - 1));
+      sum.h += q.h, sum.hu += q.hu, sum.hv += q.hv;
+    }
+    return sum;
+  };
+  const auto outward = [&](const FlowState& q) { return outwards * (face.axis() == 0 ? q.hu : q.hv); };
+  FlowState q = mean(true);
+  drive.exit_active = q.h > 0.5 * settings_.rim.diameter * (last - first) && outward(q) > 0;
+  if (!drive.exit_active) return;
+  // Characteristics: a subcritical outflow is told by the flow beyond how fast to leave, a supercritical one by itself.
+  const double depth = q.h / (last - first);
+  if (outward(q) > q.h * std::sqrt(settings_.gravity * depth)) {
+    const FlowState own = mean(false);
+    if (own.h > 0 && outward(own) > 0) q = own;
+  }
+  const double x = grid_.x(rim_.outside_cell(face, (first + last) / 2).first);
+  const Eigen::Vector3d v = q.hu / q.h * surface_->tangent(x) + q.hv / q.h * Eigen::Vector3d::UnitY();
+  drive.exit_velocity = {v.x(), v.y(), v.z()};
 }
 
 Conveyor::Occupied Zone::occupied(int face, const std::vector<NewGrain>& inserted) const {
@@ -274,6 +299,7 @@ void Zone::absorb(const Advanced& advanced, Solver& solver) {
     for (int s = 0; s < rim_.faces()[f].segments; ++s) {
       Segment& segment = segments_[f][s];
       segment.displacement = advanced.segments[f][s].displacement;
+      segment.rate = segment.displacement / settings_.window;
       segment.raft = advanced.segments[f][s].velocity;
       outside.back().push_back({segment.inflow, segment.fast_outflow ? rim_.short_buffer() : rim_.buffer()});
       if (!segment.inflow && advanced.segments[f][s].mass > 0) settle_departed(f, s, g);

@@ -56,9 +56,11 @@ class Zone {
     bool fast_outflow = false;           // normal Froude number above 2
     double depth = 0, normal = 0, along = 0;     // [m], [m/s] inward: all inflow of the face together, [m/s]
     double raft = 0, displacement = 0;   // [m/s], [m] of the last window
+    double rate = 0;                     // [m/s] at which the raft draws the flow in
   };
   void look_outside(const Solver&);
   double push(const Solver&, int face, int k, double raft) const;  // [m3/s2] per unit width and density
+  void drive_strip(const Solver&, const RimFace&, int first, int last, SegmentDrive&) const;  // of shadows; cells [first, last)
   void settle_departed(int face, int segment, const Grains&);
   Conveyor::Occupied occupied(int face, const std::vector<NewGrain>& inserted) const;
 
@@ -80,6 +82,7 @@ class Zone {
   double remainder_ = 0;                       // [kg] left over from filling with whole grains
   std::int64_t next_id_ = 1;
   long inserted_ = 0;
+  bool fresh_ = false;                         // no window yet
 };
 
 }  // namespace couloir
