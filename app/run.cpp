@@ -68,14 +68,19 @@ int run(const RunVerb& verb) {
   screen.quiet = verb.json;
   RunEnd end;
   Summary summary(folder.file("summary.json"));
-  {
+  try {
     Records records(folder.file("records.h5"), text);
     Xdmf xdmf(folder.path().string());
     ForcesCsv forces(folder.file("forces.csv"));
     Console console(folder.file("log.txt"), screen);
     // Records flush a frame before Xdmf names it; the summary is last, so that its being there means that all else is.
     end = run_scene(scene, options, {&records, &xdmf, &forces, &console, &summary});
+  } catch (...) {
+    fmt::print(stderr, "couloir: what was computed is in {}; the last state that could be saved is in {}\n", folder.path().string(), work);
+    throw;
   }  // all files are closed before the report reads them
+  if (end.status == "interrupted")
+    fmt::print(stderr, "couloir: interrupted; what was computed is in {}, the state is saved in {}\n", folder.path().string(), work);
 
   std::string page;
   if (!verb.no_report) page = draw_report({folder.path().string()}, "");

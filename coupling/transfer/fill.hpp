@@ -14,7 +14,7 @@ struct FillBox {
 };
 
 // Grains whose centres lie in the box and below the height that holds the flow's mass at their place; ids from next_id.
-// `mass` [kg] > 0: the depth is scaled (a few per mille) until the grains weigh that, to half a grain; 0: as it comes.
+// `mass` [kg] > 0: the depth is scaled (a few per mille) until the grains weigh that, to a grain; 0: as it comes.
 // Throws std::invalid_argument where the depth exceeds the packing's.
 std::vector<NewGrain> fill(const FillBox&, const std::function<FlowState(double x, double y)>& flow, double mass,
                            const PackingTable&, const ReferenceSurface&, std::int64_t& next_id);

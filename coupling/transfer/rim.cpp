@@ -16,7 +16,7 @@ double dot_offset(const Vec& p, const Vec& origin, const Vec& direction) {
 
 double RimFace::distance(const Vec& p) const { return dot_offset(p, drive.origin, drive.inward); }
 double RimFace::along(const Vec& p) const { return dot_offset(p, drive.origin, drive.along); }
-int RimFace::cell_at(double a) const { return std::clamp(int(std::floor(a / cell_width)), 0, cells - 1); }
+int RimFace::cell_at(double a) const { return int(std::clamp(std::floor(a / cell_width), 0.0, double(cells - 1))); }
 
 Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface, const RimSettings& settings)
     : zone_(zone), settings_(settings) {

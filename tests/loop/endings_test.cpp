@@ -1,0 +1,47 @@
+// Runs that do not end by themselves: observers hear of it, and the state is on disk.
+
+#include <csignal>
+
+#include "coupling/engine/engine_error.hpp"
+#include "small_run.hpp"
+
+namespace couloir {
+namespace {
+
+TEST(Endings, AKilledWorkerEndsTheRunWithItsStateSaved) {
+  const std::string folder = fresh_folder("killed");
+  RunOptions options = options_in(folder);
+  options.on_engine = [](const GrainEngine& engine) { ::kill(engine.worker_pid(), SIGKILL); };
+  Watched watched;
+  try {
+    run_scene(small_scene("coupled"), options, {&watched});
+    FAIL() << "the run went on without its engine";
+  } catch (const EngineError& error) {
+    EXPECT_NE(std::string(error.what()).find("signal 9"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(watched.finished);
+  EXPECT_EQ(watched.end.status, "failed");
+  EXPECT_FALSE(watched.windows.empty()) << "what came before is told";
+  EXPECT_TRUE(std::filesystem::exists(folder + "/continuum.state"));
+}
+
+TEST(Endings, AnInterruptEndsTheRunWithItsStateSaved) {
+  const std::string folder = fresh_folder("interrupted");
+  RunOptions options = options_in(folder);
+  int asked = 0;
+  options.interrupted = [&] { return ++asked > 100; };
+  const Watched run = watch(small_scene("coupled"), options);
+  EXPECT_EQ(run.end.status, "interrupted");
+  EXPECT_EQ(run.windows.size(), 101u);
+  EXPECT_TRUE(std::filesystem::exists(folder + "/continuum.state"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/engine.state"));
+}
+
+TEST(Endings, AMissingWorkerIsAnEngineError) {
+  RunOptions options = options_in(fresh_folder("missing"));
+  options.worker = "/nonexistent/worker";
+  EXPECT_THROW(watch(small_scene("grains", {{"grains.seed", "20023"}}), options), EngineError);
+}
+
+}  // namespace
+}  // namespace couloir

@@ -1,0 +1,76 @@
+// The three modes of one scene, with the real engine: what each must keep.
+
+#include "small_run.hpp"
+
+namespace couloir {
+namespace {
+
+double impulse(const Watched& run) {
+  double sum = 0;
+  for (const WindowReport& w : run.windows) sum += w.obstacles[0].force[0] * w.length;
+  return sum;
+}
+
+TEST(Modes, CoupledKeepsMassInEveryWindowAndReadsTheWall) {
+  const Watched run = watch(small_scene("coupled"), options_in(fresh_folder("coupled")));
+  ASSERT_FALSE(run.windows.empty());
+  for (const WindowReport& w : run.windows) ASSERT_LE(w.mass.relative_error(), 1e-12) << "at " << w.time;
+  for (const WindowReport& w : run.windows) EXPECT_LT(w.max_overlap, 0.1) << "at " << w.time;
+  double residual = 0;
+  for (const WindowReport& w : run.windows)
+    if (w.momentum.scale > 0) residual = std::max(residual, std::abs(w.momentum.residual) / w.momentum.scale);
+  EXPECT_LT(residual, 0.02);
+  EXPECT_GT(run.windows.back().inserted, 500);
+  EXPECT_GT(run.windows.back().returned, 50);
+  EXPECT_GT(impulse(run), 0);
+  EXPECT_EQ(run.end.status, "done");
+}
+
+TEST(Modes, TheEngineStartsWhenTheFlowIsNearAndSaysSo) {
+  const Watched run = watch(small_scene("coupled"), options_in(fresh_folder("start")));
+  ASSERT_EQ(run.events.size(), 1u);
+  EXPECT_NE(run.events[0].what.find("within reach of the zone"), std::string::npos);
+  EXPECT_GT(run.events[0].time, 0.01);
+  EXPECT_LT(run.events[0].time, 0.12);
+}
+
+TEST(Modes, AFlowThatNeverComesNearStartsNoEngine) {
+  const Watched run = watch(small_scene("coupled", {{"duration", "0.02 s"}}), options_in(fresh_folder("never")));
+  EXPECT_TRUE(run.events.empty());
+  EXPECT_EQ(run.end.engine, "");
+  EXPECT_EQ(run.windows.back().engine_steps, 0);
+}
+
+TEST(Modes, GrainsKeepMassAndMomentum) {
+  const Watched run = watch(small_scene("grains"), options_in(fresh_folder("grains")));
+  double left = 0, left_before = 0;
+  for (const WindowReport& w : run.windows) {
+    ASSERT_LE(w.mass.relative_error(), 1e-12) << "at " << w.time;
+    // A grain that has left took half a step's contact with the bed along: at most about its weight times a step.
+    const double taken_along = (left - left_before) * 9.81 * w.length / 40;
+    ASSERT_LE(std::abs(w.momentum.residual), 1e-9 * w.momentum.scale + taken_along) << "at " << w.time;
+    left_before = left;
+    left = w.mass.left_domain;
+  }
+  EXPECT_GT(impulse(run), 0);
+}
+
+TEST(Modes, ContinuumKeepsMassAndMomentum) {
+  const Watched run = watch(small_scene("continuum"), options_in(fresh_folder("continuum")));
+  for (const WindowReport& w : run.windows) {
+    ASSERT_LE(w.mass.relative_error(), 1e-12) << "at " << w.time;
+    ASSERT_LE(std::abs(w.momentum.residual), 1e-11 * w.momentum.scale) << "at " << w.time;
+  }
+  EXPECT_GT(impulse(run), 0);
+}
+
+TEST(Modes, AllThreeReadTheSameWall) {
+  const double grains = impulse(watch(small_scene("grains"), options_in(fresh_folder("g"))));
+  const double coupled = impulse(watch(small_scene("coupled"), options_in(fresh_folder("k"))));
+  const double continuum = impulse(watch(small_scene("continuum"), options_in(fresh_folder("c"))));
+  EXPECT_NEAR(coupled / grains, 1, 0.25);
+  EXPECT_NEAR(continuum / grains, 1, 0.5);
+}
+
+}  // namespace
+}  // namespace couloir

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""command_line_test.py COULOIR SOURCE: what a user types, the exit code and the sentence that comes back."""
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+COULOIR, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SMALL = SOURCE / "tests/scenes/small_wall.yaml"
+
+
+def couloir(*words, **options):
+    return subprocess.run([COULOIR, *map(str, words)], capture_output=True, text=True, timeout=300, **options)
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.dir = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def scene(self, old, new):
+        text = SMALL.read_text()
+        self.assertIn(old, text)
+        path = self.dir / "scene.yaml"
+        path.write_text(text.replace(old, new))
+        return path
+
+    def expect(self, done, code, *parts):
+        self.assertEqual(done.returncode, code, done.stderr)
+        for part in parts:
+            self.assertIn(part, done.stderr)
+
+    def test_a_misspelt_key(self):
+        scene = self.scene("basal_friction_angle", "basal_frction_angle")
+        self.expect(couloir("plan", scene), 2, "scene.yaml:9", "basal_frction_angle", "did you mean 'basal_friction_angle'?")
+
+    def test_a_wrong_unit(self):
+        self.expect(couloir("plan", self.scene("height: 30 mm", "height: 30 kg")), 2, "height", "mm")
+
+    def test_a_wall_outside_the_domain(self):
+        self.expect(couloir("run", self.scene("[400 mm, 0]", "[900 mm, 0]"), "--out", self.dir / "run"), 2, "wall", "domain")
+        self.assertFalse((self.dir / "run").exists(), "nothing is made for a scene that is wrong")
+
+    def test_grains_larger_than_the_flow_is_deep(self):
+        self.expect(couloir("run", self.scene("  diameter: 6 mm\n  zone", "  diameter: 40 mm\n  zone"), "--out", self.dir / "run"), 2,
+                    "diameter", "40 mm")
+
+    def test_an_output_folder_that_cannot_be_written(self):
+        (self.dir / "file").write_text("in the way")
+        self.expect(couloir("run", SMALL, "--out", self.dir / "file" / "run"), 2, str(self.dir / "file"))
+
+    def test_an_output_folder_that_is_not_empty(self):
+        (self.dir / "run").mkdir()
+        (self.dir / "run" / "precious").write_text("")
+        self.expect(couloir("run", SMALL, "--out", self.dir / "run"), 2, "not empty", "--out")
+
+    def test_a_missing_scene(self):
+        self.expect(couloir("run", self.dir / "nothing.yaml"), 2, "nothing.yaml")
+
+    def test_a_wrong_override(self):
+        self.expect(couloir("plan", SMALL, "--set", "grains.sed=7"), 2, "grains.sed", "did you mean 'seed'?")
+        self.expect(couloir("plan", SMALL, "--set", "grains.seed"), 2, "a key and a value")
+
+    def test_an_unknown_verb(self):
+        self.assertEqual(couloir("fly").returncode, 2)
+
+    def test_a_report_of_no_run(self):
+        self.expect(couloir("report", self.dir), 2, "is not a run folder")
+
+    def test_a_killed_worker_ends_with_4_and_the_state_named(self):
+        run = subprocess.Popen([COULOIR, "run", str(SMALL), "--out", str(self.dir / "run"), "--no-report"], stderr=subprocess.PIPE,
+                               stdout=subprocess.DEVNULL, text=True)
+        log = self.dir / "run" / "log.txt"
+        deadline = time.time() + 120
+        while time.time() < deadline and not (log.exists() and "grains start" in log.read_text()):
+            time.sleep(0.02)
+        children = pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()
+        self.assertEqual(len(children), 1)
+        os.kill(int(children[0]), signal.SIGKILL)
+        _, errors = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 4, errors)
+        self.assertIn("killed by signal 9", errors)
+        self.assertIn(str(self.dir / "run"), errors)
+        self.assertTrue((self.dir / "run/engine/continuum.state").exists())
+        summary = json.loads((self.dir / "run/summary.json").read_text())
+        self.assertEqual(summary["status"], "failed")
+
+    def test_ctrl_c_saves_and_says_where(self):
+        run = subprocess.Popen([COULOIR, "run", str(SMALL), "--out", str(self.dir / "run"), "--no-report"], stderr=subprocess.PIPE,
+                               stdout=subprocess.DEVNULL, text=True)
+        log = self.dir / "run" / "log.txt"
+        deadline = time.time() + 120
+        while time.time() < deadline and not (log.exists() and "grains start" in log.read_text()):
+            time.sleep(0.02)
+        run.send_signal(signal.SIGINT)
+        _, errors = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 3, errors)
+        self.assertIn("saved in", errors)
+        self.assertEqual(json.loads((self.dir / "run/summary.json").read_text())["status"], "interrupted")
+
+    def test_json_is_json_alone(self):
+        done = couloir("run", SMALL, "--mode", "continuum", "--out", self.dir / "run", "--json", "--no-report")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        summary = json.loads(done.stdout)
+        self.assertEqual(summary["status"], "done")
+        self.assertLessEqual(summary["mass"]["relative_error"], 1e-12)
+        self.assertEqual(done.stderr, "")
+        plan = couloir("plan", SMALL, "--json")
+        self.assertEqual(json.loads(plan.stdout)["mode"], "coupled")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
