@@ -1,6 +1,7 @@
 // couloir: the command line. Verbs live in files of their own; only this one sets exit codes.
 //
-//   0 done   1 a check failed   2 the user's input is wrong   3 the run failed (its state is saved and named)   4 an engine failed
+//   0 done   1 a check failed   2 the user's input is wrong   3 the run failed (its state is saved and named)   4 an engine
+//   failed
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -21,7 +21,8 @@ std::string draw_report(const std::vector<std::string>& runs, const std::string&
   std::filesystem::path folder = out;
   if (out.empty()) {
     const std::filesystem::path first(runs.front());
-    folder = runs.size() == 1 ? first / "report" : std::filesystem::absolute(first).lexically_normal().parent_path() / "comparison";
+    folder =
+        runs.size() == 1 ? first / "report" : std::filesystem::absolute(first).lexically_normal().parent_path() / "comparison";
   }
   std::vector<std::string> words{"/usr/bin/python3", report_script()};
   words.insert(words.end(), runs.begin(), runs.end());
@@ -31,7 +32,8 @@ std::string draw_report(const std::vector<std::string>& runs, const std::string&
   argv.push_back(nullptr);
   pid_t pid = 0;
   int status = 1;
-  if (posix_spawn(&pid, argv[0], nullptr, nullptr, argv.data(), environ) != 0) throw std::runtime_error("/usr/bin/python3 cannot be run");
+  if (posix_spawn(&pid, argv[0], nullptr, nullptr, argv.data(), environ) != 0)
+    throw std::runtime_error("/usr/bin/python3 cannot be run");
   waitpid(pid, &status, 0);
   if (status != 0) throw std::runtime_error("the report could not be drawn; the run's records are whole (see the lines above)");
   return (folder / "index.html").string();

@@ -1,3 +1,5 @@
+#include "coupling/loop/run.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -11,7 +13,6 @@
 #include "app/scene_options.hpp"
 #include "app/verbs.hpp"
 #include "coupling/engine/liggghts_engine.hpp"
-#include "coupling/loop/run.hpp"
 #include "coupling/records/console.hpp"
 #include "coupling/records/forces_csv.hpp"
 #include "coupling/records/records.hpp"
@@ -39,8 +40,8 @@ struct RunVerb {
 
 void print_result(const RunFolder& folder, const nlohmann::json& summary, const std::string& page) {
   for (const auto& [name, o] : summary.at("obstacles").items())
-    fmt::print("{}: peak {:.4g} N, mean {:.4g} N, impulse {:.4g} N s\n", name, o.value("force_peak", 0.0), o.value("force_mean", 0.0),
-               o.value("impulse", 0.0));
+    fmt::print("{}: peak {:.4g} N, mean {:.4g} N, impulse {:.4g} N s\n", name, o.value("force_peak", 0.0),
+               o.value("force_mean", 0.0), o.value("impulse", 0.0));
   fmt::print("mass: relative error {:.1e}\n", summary.at("mass").value("relative_error", 0.0));
   fmt::print("run: {}\n", folder.path().string());
   if (!page.empty()) fmt::print("report: {}\n", page);
@@ -76,11 +77,13 @@ int run(const RunVerb& verb) {
     // Records flush a frame before Xdmf names it; the summary is last, so that its being there means that all else is.
     end = run_scene(scene, options, {&records, &xdmf, &forces, &console, &summary});
   } catch (...) {
-    fmt::print(stderr, "couloir: what was computed is in {}; the last state that could be saved is in {}\n", folder.path().string(), work);
+    fmt::print(stderr, "couloir: what was computed is in {}; the last state that could be saved is in {}\n",
+               folder.path().string(), work);
     throw;
   }  // all files are closed before the report reads them
   if (end.status == "interrupted")
-    fmt::print(stderr, "couloir: interrupted; what was computed is in {}, the state is saved in {}\n", folder.path().string(), work);
+    fmt::print(stderr, "couloir: interrupted; what was computed is in {}, the state is saved in {}\n", folder.path().string(),
+               work);
 
   std::string page;
   if (!verb.no_report) page = draw_report({folder.path().string()}, "");

@@ -25,8 +25,14 @@ Scene SceneOptions::read() const {
   return read_scene(path, materials_folder(), overrides);
 }
 
-std::string materials_folder() { return COULOIR_SOURCE_DIR "/dem_inputs/materials"; }
-std::string packings_folder() { return COULOIR_SOURCE_DIR "/.cache/packings"; }
-std::string report_script() { return COULOIR_SOURCE_DIR "/app/report/report.py"; }
+std::string materials_folder() {
+  return COULOIR_SOURCE_DIR "/dem_inputs/materials";
+}
+std::string packings_folder() {
+  return COULOIR_SOURCE_DIR "/.cache/packings";
+}
+std::string report_script() {
+  return COULOIR_SOURCE_DIR "/app/report/report.py";
+}
 
 }  // namespace couloir

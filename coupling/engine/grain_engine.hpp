@@ -49,27 +49,27 @@ struct DriveFace {
 };
 
 struct EngineSetup {
-  double timestep = 0;              // [s]
-  Vec gravity{};                    // [m/s2]
-  Vec lo{}, hi{};                   // box [m]; a grain that leaves it is an error unless the axis is periodic
+  double timestep = 0;  // [s]
+  Vec gravity{};        // [m/s2]
+  Vec lo{}, hi{};       // box [m]; a grain that leaves it is an error unless the axis is periodic
   std::array<bool, 3> periodic{};
-  double density = 0;               // [kg/m3] of a grain
-  double max_radius = 0;            // [m]
-  double skin = 0;                  // [m] neighbour skin; 0: the engine's choice
+  double density = 0;                                                 // [kg/m3] of a grain
+  double max_radius = 0;                                              // [m]
+  double skin = 0;                                                    // [m] neighbour skin; 0: the engine's choice
   double friction = 0.5, rolling_friction = 0.15, restitution = 0.5;  // between grains
   double youngs_modulus = 5e6, poisson_ratio = 0.25;
   std::vector<EngineSurface> surfaces;
   std::vector<DriveFace> faces;
   int ranks = 1;
-  double timeout = 120;             // [s]
-  std::string work_dir;             // meshes, logs; must exist
+  double timeout = 120;  // [s]
+  std::string work_dir;  // meshes, logs; must exist
 };
 
 struct NewGrain {
-  std::int64_t id = 0;              // unique over the run, > 0, chosen by the caller
+  std::int64_t id = 0;  // unique over the run, > 0, chosen by the caller
   Vec position{}, velocity{};
   double radius = 0;
-  int face = -1, segment = -1;      // >= 0: driven by that segment's raft
+  int face = -1, segment = -1;  // >= 0: driven by that segment's raft
 };
 
 // One raft: the driven grains of one segment, moving as a rigid body:
@@ -77,33 +77,33 @@ struct NewGrain {
 //   along the face            none while driven, so that the layer keeps its packing; u_along is added when a grain is freed
 // With no grains, or with less than `least_mass`, u = most.
 struct SegmentDrive {
-  double push = 0;                  // [N] by the flow outside
-  double most = 0, least = 0;       // [m/s]
-  double along = 0;                 // [m/s]
-  double least_mass = 0;            // [kg]
+  double push = 0;             // [N] by the flow outside
+  double most = 0, least = 0;  // [m/s]
+  double along = 0;            // [m/s]
+  double least_mass = 0;       // [kg]
   bool exit_active = false;
-  Vec exit_velocity{};              // [m/s]
+  Vec exit_velocity{};  // [m/s]
 };
 
 struct AdvanceRequest {
   std::int64_t steps = 0;
-  std::vector<NewGrain> insert;     // where they are before the first step; they drift in it like all others
-  std::vector<std::int64_t> remove; // removed before it; an unknown id is an EngineError
+  std::vector<NewGrain> insert;                   // where they are before the first step; they drift in it like all others
+  std::vector<std::int64_t> remove;               // removed before it; an unknown id is an EngineError
   std::vector<std::vector<SegmentDrive>> drives;  // [face][segment]; empty: as before
-  bool want_grains = true;          // send the grains back
+  bool want_grains = true;                        // send the grains back
 };
 
 struct SegmentReport {
-  double displacement = 0;          // [m] of the raft along the inward normal in this advance
-  double velocity = 0;              // [m/s] of the raft at its end
-  double force = 0;                 // [N] on the raft by its grains' contacts and gravity, mean along the inward normal
-  double mass = 0;                  // [kg] driven at its end
+  double displacement = 0;  // [m] of the raft along the inward normal in this advance
+  double velocity = 0;      // [m/s] of the raft at its end
+  double force = 0;         // [N] on the raft by its grains' contacts and gravity, mean along the inward normal
+  double mass = 0;          // [kg] driven at its end
 };
 
-struct Grains {                     // sorted by id
+struct Grains {  // sorted by id
   std::vector<std::int64_t> id;
   std::vector<double> x, y, z, vx, vy, vz, radius;  // [m], [m/s], [m]
-  std::vector<std::int8_t> driven;  // 1: in a driven layer
+  std::vector<std::int8_t> driven;                  // 1: in a driven layer
   std::size_t size() const { return id.size(); }
 };
 
@@ -111,27 +111,27 @@ struct Grains {                     // sorted by id
 //   change of the grains' momentum = mass after * gravity * T - sum of surface_force * T + drive_impulse
 //                                    + momentum of inserted grains as given - of removed grains as last reported
 struct Advanced {
-  std::int64_t step = 0;            // engine steps since start
+  std::int64_t step = 0;  // engine steps since start
   Grains grains;
-  std::vector<Vec> surface_force;   // [N] by the grains on each surface, mean over this advance
+  std::vector<Vec> surface_force;       // [N] by the grains on each surface, mean over this advance
   std::vector<Vec> surface_force_last;  // [N] at the last step
   std::vector<std::vector<SegmentReport>> segments;
-  Vec drive_impulse{};              // [N s] that driving (rafts and strips) gave to the grains, weight and contacts removed
-  double kinetic_energy = 0;        // [J] of motion and spin
-  double max_overlap = 0;           // [-] largest overlap over mean diameter of the pair, at the last step
-  double cpu = 0;                   // [s] of all ranks in this advance
+  Vec drive_impulse{};        // [N s] that driving (rafts and strips) gave to the grains, weight and contacts removed
+  double kinetic_energy = 0;  // [J] of motion and spin
+  double max_overlap = 0;     // [-] largest overlap over mean diameter of the pair, at the last step
+  double cpu = 0;             // [s] of all ranks in this advance
 };
 
 class GrainEngine {
  public:
   virtual ~GrainEngine() = default;
-  virtual std::string name() const = 0;      // e.g. "LIGGGHTS 3.8.0"; valid after start
+  virtual std::string name() const = 0;  // e.g. "LIGGGHTS 3.8.0"; valid after start
   virtual void start(const EngineSetup&) = 0;
   virtual Advanced advance(const AdvanceRequest&) = 0;
   virtual void checkpoint(const std::string& path) = 0;
   virtual void restore(const EngineSetup&, const std::string& path) = 0;
-  virtual void stop() = 0;                   // never throws
-  virtual int worker_pid() const = 0;        // of the worker's first rank; 0 when not running
+  virtual void stop() = 0;             // never throws
+  virtual int worker_pid() const = 0;  // of the worker's first rank; 0 when not running
 };
 
 }  // namespace couloir

@@ -15,12 +15,12 @@ struct PackingSpec {
   long seed = 20011;
   double friction = 0.5, base_friction = 0.4, rolling_friction = 0.15, base_rolling_friction = 0.15;
   double restitution = 0.5, youngs_modulus = 5e6, poisson_ratio = 0.25;
-  double density = 2500;                    // [kg/m3] of a grain
+  double density = 2500;  // [kg/m3] of a grain
 };
 
 struct Packing {
   struct Grain {
-    double x, y, z, r;                      // [m] 0 <= x < length, 0 <= y < width, z above the bed
+    double x, y, z, r;  // [m] 0 <= x < length, 0 <= y < width, z above the bed
   };
   double length = 0, width = 0, depth = 0;  // [m] depth: to which the solid fraction below is measured
   double solid_fraction = 0;                // of the bulk, exact sphere-slab volumes between one diameter and depth - 2 d

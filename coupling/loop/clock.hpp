@@ -10,12 +10,14 @@ class Clock {
  public:
   // step [s]; steps in a window; the run ends with the window that reaches duration [s].
   Clock(double step, std::int64_t steps_per_window, double duration)
-      : step_(step), per_window_(steps_per_window), windows_(std::int64_t(std::ceil(duration / (step * double(steps_per_window)) - 1e-9))) {}
+      : step_(step),
+        per_window_(steps_per_window),
+        windows_(std::int64_t(std::ceil(duration / (step * double(steps_per_window)) - 1e-9))) {}
 
   std::int64_t windows() const { return windows_; }
   std::int64_t steps_per_window() const { return per_window_; }
   double step() const { return step_; }
-  double window() const { return step_ * double(per_window_); }                       // [s]
+  double window() const { return step_ * double(per_window_); }                            // [s]
   double time(std::int64_t window) const { return step_ * double(per_window_ * window); }  // [s] at the end of a window, 1-based
 
  private:

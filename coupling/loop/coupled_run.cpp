@@ -55,7 +55,8 @@ class CoupledRun : public ModeRun {
     settings_.window = clock_->window();
     settings_.steps = clock_->steps_per_window();
     settings_.gravity = scene_.gravity;
-    settings_.periodic_y = scene_.sides[2].kind == SideSpec::Kind::periodic && settings_.box.j0 == 0 && settings_.box.j1 == grid.ny;
+    settings_.periodic_y =
+        scene_.sides[2].kind == SideSpec::Kind::periodic && settings_.box.j0 == 0 && settings_.box.j1 == grid.ny;
   }
 
   // The flow is near when a cell within reach of the zone is wet: what it covers in two windows, and two cells.
@@ -79,10 +80,10 @@ class CoupledRun : public ModeRun {
     for (const NewGrain& g : first_)
       if (!zone_->is_shadow(g.id)) grain_momentum_ += grains_->table().grain_mass(g.radius) * g.velocity[0];
     flow_momentum_jump_ = true;
-    tell(time, fmt::format("grains start: the flow is within reach of the zone x {:.3f}..{:.3f} m, y {:.3f}..{:.3f} m; {} grains "
-                           "replace {:.4g} kg of flow in it",
-                           box_.x0, box_.x1, box_.y0, box_.y1, first_.size(),
-                           (before - flow_->solver().volume()) * flow_->density()));
+    tell(time,
+         fmt::format("grains start: the flow is within reach of the zone x {:.3f}..{:.3f} m, y {:.3f}..{:.3f} m; {} grains "
+                     "replace {:.4g} kg of flow in it",
+                     box_.x0, box_.x1, box_.y0, box_.y1, first_.size(), (before - flow_->solver().volume()) * flow_->density()));
   }
 
   void window(std::int64_t, WindowReport& w) override {

@@ -9,7 +9,9 @@ namespace {
 constexpr double open_margin = 15;  // [d] of bed beyond an open side
 constexpr double box_margin = 10;   // [d] of room beyond the bed
 
-double highest(const Scene& s) { return std::max({s.release.height, s.release.semi_z, 4 * s.grains.diameter}); }
+double highest(const Scene& s) {
+  return std::max({s.release.height, s.release.semi_z, 4 * s.grains.diameter});
+}
 
 // Falling from the upper edge with the release's own height can throw a grain this high, and no higher.
 double throw_height(const Scene& s, const ReferenceSurface& surface, double x) {
@@ -73,14 +75,19 @@ void add_obstacles_and_sides(EngineSetup& setup, const Scene& s, const Reference
     setup.surfaces.push_back({name, std::move(mesh), m.side_friction, m.base_rolling_friction});
   };
   using Kind = SideSpec::Kind;
-  if (s.sides[2].kind == Kind::wall && region.y0 <= -half) side("side_left", side_mesh(surface, region.x0, region.x1, -half, height, size));
-  if (s.sides[3].kind == Kind::wall && region.y1 >= half) side("side_right", side_mesh(surface, region.x0, region.x1, half, height, size));
-  if (s.sides[0].kind == Kind::wall && region.x0 <= 0) side("side_upstream", end_mesh(surface, 0, region.y0, region.y1, height, size));
+  if (s.sides[2].kind == Kind::wall && region.y0 <= -half)
+    side("side_left", side_mesh(surface, region.x0, region.x1, -half, height, size));
+  if (s.sides[3].kind == Kind::wall && region.y1 >= half)
+    side("side_right", side_mesh(surface, region.x0, region.x1, half, height, size));
+  if (s.sides[0].kind == Kind::wall && region.x0 <= 0)
+    side("side_upstream", end_mesh(surface, 0, region.y0, region.y1, height, size));
   if (s.sides[1].kind == Kind::wall && region.x1 >= length)
     side("side_downstream", end_mesh(surface, length, region.y0, region.y1, height, size));
 }
 
-double mesh_size(const Scene& s) { return 5 * s.grains.diameter; }
+double mesh_size(const Scene& s) {
+  return 5 * s.grains.diameter;
+}
 
 }  // namespace
 
@@ -106,7 +113,9 @@ PackingSpec packing_spec(const Scene& s, double depth) {
   return spec;
 }
 
-double grain_density(const Scene& s, const Packing& packing) { return s.material.density / packing.solid_fraction; }
+double grain_density(const Scene& s, const Packing& packing) {
+  return s.material.density / packing.solid_fraction;
+}
 
 double engine_timestep(const Scene& s, double density) {
   if (s.grains.timestep > 0) return s.grains.timestep;
@@ -117,8 +126,11 @@ double engine_timestep(const Scene& s, double density) {
 EngineSetup engine_setup_whole(const Scene& s, const ReferenceSurface& surface, double density, const std::string& work_dir) {
   EngineSetup setup = material_setup(s, surface, density, work_dir);
   const double margin = open_margin * s.grains.diameter, half = s.terrain.width / 2, length = s.terrain.total_length();
-  const auto open = [&](int side) { return s.sides[side].kind == SideSpec::Kind::outflow || s.sides[side].kind == SideSpec::Kind::inflow; };
-  const Patch region{open(0) ? -margin : 0, length + (open(1) ? margin : 0), -half - (open(2) ? margin : 0), half + (open(3) ? margin : 0)};
+  const auto open = [&](int side) {
+    return s.sides[side].kind == SideSpec::Kind::outflow || s.sides[side].kind == SideSpec::Kind::inflow;
+  };
+  const Patch region{open(0) ? -margin : 0, length + (open(1) ? margin : 0), -half - (open(2) ? margin : 0),
+                     half + (open(3) ? margin : 0)};
   const double height = throw_height(s, surface, length);
   add_bed(setup, s, "bed", bed_mesh(surface, region, mesh_size(s)));
   add_obstacles_and_sides(setup, s, surface, region, height, mesh_size(s));

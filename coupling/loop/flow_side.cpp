@@ -50,7 +50,9 @@ void FlowSide::advance_to(double t) {
   cpu_ += cpu_now() - before;
 }
 
-double FlowSide::momentum() const { return density_ * solver_->momentum()[0]; }
+double FlowSide::momentum() const {
+  return density_ * solver_->momentum()[0];
+}
 
 void FlowSide::report(WindowReport& w) {
   const Budget& b = solver_->budget();
@@ -85,7 +87,9 @@ ObstacleForce FlowSide::force(int id, double window) {
   return out;
 }
 
-double FlowSide::overtopped(int id) const { return density_ * solver_->gauge(gauge_[id]); }
+double FlowSide::overtopped(int id) const {
+  return density_ * solver_->gauge(gauge_[id]);
+}
 
 FrameView FlowSide::frame() {
   solver_->gather(h_, hu_, hv_);

@@ -12,17 +12,17 @@ class FlowSide {
 
   Solver& solver() { return *solver_; }
   const std::vector<double>& bed() const { return bed_; }
-  double density() const { return density_; }                    // [kg/m3]
-  double initial_mass() const { return initial_mass_; }          // [kg]
+  double density() const { return density_; }            // [kg/m3]
+  double initial_mass() const { return initial_mass_; }  // [kg]
 
-  void advance_to(double t);                                     // [s]; counts CPU
-  double cpu() const { return cpu_; }                            // [s]
+  void advance_to(double t);           // [s]; counts CPU
+  double cpu() const { return cpu_; }  // [s]
 
   // Ledger entries of the solver since the last call: mass state, momentum terms, counters.
   void report(WindowReport&);
-  double momentum() const;                                       // [N s] along x, present
-  ObstacleForce force(int obstacle, double window);              // mean since the last call for this obstacle
-  double overtopped(int obstacle) const;                         // [kg] through the plane of its middle since the start
+  double momentum() const;                           // [N s] along x, present
+  ObstacleForce force(int obstacle, double window);  // mean since the last call for this obstacle
+  double overtopped(int obstacle) const;             // [kg] through the plane of its middle since the start
 
   FrameView frame();
 
@@ -30,8 +30,8 @@ class FlowSide {
   double density_;
   std::unique_ptr<Solver> solver_;
   std::vector<double> bed_;
-  std::vector<int> gauge_;                       // by obstacle
-  std::vector<std::array<double, 2>> impulse_;   // by obstacle, at the last call
+  std::vector<int> gauge_;                      // by obstacle
+  std::vector<std::array<double, 2>> impulse_;  // by obstacle, at the last call
   std::vector<CellBox> footprint_;
   std::vector<double> h_, hu_, hv_;
   double initial_mass_ = 0, boundary_mass_ = 0, momentum_before_ = 0, cpu_ = 0;

@@ -62,8 +62,7 @@ double GrainSide::impulse_x(const std::string& surface) const {
 double GrainSide::max_speed() const {
   const Grains& g = last_.grains;
   double most = 0;
-  for (std::size_t i = 0; i < g.size(); ++i)
-    most = std::max(most, g.vx[i] * g.vx[i] + g.vy[i] * g.vy[i] + g.vz[i] * g.vz[i]);
+  for (std::size_t i = 0; i < g.size(); ++i) most = std::max(most, g.vx[i] * g.vx[i] + g.vy[i] * g.vy[i] + g.vz[i] * g.vz[i]);
   return std::sqrt(most);
 }
 

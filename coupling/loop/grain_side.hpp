@@ -18,7 +18,7 @@ class GrainSide {
   ~GrainSide();
 
   const PackingTable& table() const { return *table_; }
-  double timestep() const { return timestep_; }            // [s]
+  double timestep() const { return timestep_; }  // [s]
 
   void start(const EngineSetup&);
   bool running() const { return running_; }
@@ -27,15 +27,15 @@ class GrainSide {
   std::string engine() const { return engine_name_; }
   GrainEngine& port() { return *engine_; }
 
-  ObstacleForce force(int obstacle) const;                 // of the last advance; zero where the obstacle has no mesh
+  ObstacleForce force(int obstacle) const;  // of the last advance; zero where the obstacle has no mesh
   bool has_obstacle(int obstacle) const { return surface_of_obstacle_[obstacle] >= 0; }
   double overtopped(int obstacle) const { return overtopping_[obstacle].mass(); }
-  double impulse_x(const std::string& surface) const;      // [N s] on the grains in the last advance, by one surface
-  double max_speed() const;                                // [m/s]
+  double impulse_x(const std::string& surface) const;  // [N s] on the grains in the last advance, by one surface
+  double max_speed() const;                            // [m/s]
 
   long peak() const { return peak_; }
   std::int64_t particle_steps() const { return particle_steps_; }
-  double cpu() const { return cpu_; }                      // [s] of the engine
+  double cpu() const { return cpu_; }  // [s] of the engine
 
  private:
   const Scene& scene_;

@@ -33,8 +33,9 @@ class GrainsRun : public ModeRun {
     const bool whole = scene_.release.kind == ReleaseSpec::Kind::uniform;
     const double wanted = whole ? 0 : scene_.material.density * release_volume(scene_);
     std::int64_t next_id = 1;
-    request_.insert = fill({0, length, -half, half}, [&](double x, double y) { return release_at(scene_, x, y); }, wanted,
-                           side_->table(), surface_, next_id);
+    request_.insert = fill(
+        {0, length, -half, half}, [&](double x, double y) { return release_at(scene_, x, y); }, wanted, side_->table(), surface_,
+        next_id);
     for (const NewGrain& g : request_.insert) {
       const double m = side_->table().grain_mass(g.radius);
       initial_mass_ += m;
@@ -80,7 +81,8 @@ class GrainsRun : public ModeRun {
     w.momentum.boundary = -(edge_->momentum() - left_before);
     w.momentum.gravity = mass_before() * scene_.gravity * surface_.gravity_direction().x() * w.length;
     w.momentum.bed = side_->impulse_x("bed");
-    for (const char* side : {"side_left", "side_right", "side_upstream", "side_downstream"}) w.momentum.boundary += side_->impulse_x(side);
+    for (const char* side : {"side_left", "side_right", "side_upstream", "side_downstream"})
+      w.momentum.boundary += side_->impulse_x(side);
     for (int k = 0; k < int(scene_.obstacles.size()); ++k) {
       w.momentum.obstacles += side_->impulse_x(scene_.obstacles[k].name);
       ObstacleForce force = side_->force(k);
@@ -104,7 +106,8 @@ class GrainsRun : public ModeRun {
     const CellBox box{int((o.x - grid_.x0) / grid_.dx), int((o.x + o.length - grid_.x0) / grid_.dx + 0.5),
                       int((o.y - o.width / 2 - grid_.y0) / grid_.dy), int((o.y + o.width / 2 - grid_.y0) / grid_.dy + 0.5)};
     if (box.empty()) return 0;
-    const CoarseGrained field = coarse_grain(g, grid_, box, surface_, side_->table().grain_density(), side_->table().bulk_density(), false);
+    const CoarseGrained field =
+        coarse_grain(g, grid_, box, surface_, side_->table().grain_density(), side_->table().bulk_density(), false);
     double most = 0;
     for (const FlowState& q : field.cells) most = std::max(most, q.h);
     return most;
@@ -132,7 +135,8 @@ class GrainsRun : public ModeRun {
   }
 
   void save() override {
-    if (side_ && side_->running() && side_->port().worker_pid() > 0) side_->port().checkpoint(options_.work_dir + "/engine.state");
+    if (side_ && side_->running() && side_->port().worker_pid() > 0)
+      side_->port().checkpoint(options_.work_dir + "/engine.state");
   }
 
   void finish(RunEnd& end) override {

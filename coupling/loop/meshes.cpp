@@ -20,14 +20,20 @@ void sheet(std::vector<Triangle>& out, const Point& at, int n, int m) {
     }
 }
 
-int pieces(double length, double size) { return std::max(1, int(std::ceil(std::abs(length) / size - 1e-9))); }
+int pieces(double length, double size) {
+  return std::max(1, int(std::ceil(std::abs(length) / size - 1e-9)));
+}
 
 }  // namespace
 
 std::vector<Triangle> bed_mesh(const ReferenceSurface& surface, const Patch& p, double size) {
   std::vector<Triangle> out;
-  sheet(out, [&](double a, double b) { return surface.to_space({p.x0 + a * (p.x1 - p.x0), p.y0 + b * (p.y1 - p.y0), 0}); },
-        pieces(p.x1 - p.x0, size), pieces(p.y1 - p.y0, size));
+  sheet(
+      out,
+      [&](double a, double b) {
+        return surface.to_space({p.x0 + a * (p.x1 - p.x0), p.y0 + b * (p.y1 - p.y0), 0});
+      },
+      pieces(p.x1 - p.x0, size), pieces(p.y1 - p.y0, size));
   return out;
 }
 
@@ -38,25 +44,38 @@ std::vector<Triangle> cuboid_mesh(const ReferenceSurface& surface, const Obstacl
   const Eigen::Vector3d corner = foot - 0.5 * along - 0.5 * across;
   const int nl = pieces(o.length, size), nw = pieces(o.width, size), nh = pieces(o.height, size);
   std::vector<Triangle> out;
-  sheet(out, [&](double a, double b) { return Eigen::Vector3d(corner + a * across + b * up); }, nw, nh);          // upstream
-  sheet(out, [&](double a, double b) { return Eigen::Vector3d(corner + along + a * across + b * up); }, nw, nh);  // downstream
-  sheet(out, [&](double a, double b) { return Eigen::Vector3d(corner + a * along + b * up); }, nl, nh);           // left
-  sheet(out, [&](double a, double b) { return Eigen::Vector3d(corner + across + a * along + b * up); }, nl, nh);  // right
-  sheet(out, [&](double a, double b) { return Eigen::Vector3d(corner + up + a * along + b * across); }, nl, nw);  // top
+  sheet(
+      out, [&](double a, double b) { return Eigen::Vector3d(corner + a * across + b * up); }, nw, nh);  // upstream
+  sheet(
+      out, [&](double a, double b) { return Eigen::Vector3d(corner + along + a * across + b * up); }, nw, nh);  // downstream
+  sheet(
+      out, [&](double a, double b) { return Eigen::Vector3d(corner + a * along + b * up); }, nl, nh);  // left
+  sheet(
+      out, [&](double a, double b) { return Eigen::Vector3d(corner + across + a * along + b * up); }, nl, nh);  // right
+  sheet(
+      out, [&](double a, double b) { return Eigen::Vector3d(corner + up + a * along + b * across); }, nl, nw);  // top
   return out;
 }
 
 std::vector<Triangle> side_mesh(const ReferenceSurface& surface, double x0, double x1, double y, double height, double size) {
   std::vector<Triangle> out;
-  sheet(out, [&](double a, double b) { return surface.to_space({x0 + a * (x1 - x0), y, b * height}); }, pieces(x1 - x0, size),
-        pieces(height, size));
+  sheet(
+      out,
+      [&](double a, double b) {
+        return surface.to_space({x0 + a * (x1 - x0), y, b * height});
+      },
+      pieces(x1 - x0, size), pieces(height, size));
   return out;
 }
 
 std::vector<Triangle> end_mesh(const ReferenceSurface& surface, double x, double y0, double y1, double height, double size) {
   std::vector<Triangle> out;
-  sheet(out, [&](double a, double b) { return surface.to_space({x, y0 + a * (y1 - y0), b * height}); }, pieces(y1 - y0, size),
-        pieces(height, size));
+  sheet(
+      out,
+      [&](double a, double b) {
+        return surface.to_space({x, y0 + a * (y1 - y0), b * height});
+      },
+      pieces(y1 - y0, size), pieces(height, size));
   return out;
 }
 

@@ -18,10 +18,10 @@ class ModeRun {
   RunEnd go();
 
  protected:
-  virtual RunStart start() = 0;                 // builds what the mode needs; the clock too
+  virtual RunStart start() = 0;  // builds what the mode needs; the clock too
   virtual void window(std::int64_t index, WindowReport&) = 0;
   virtual FrameView frame() = 0;
-  virtual void save() = 0;                      // into work_dir, after an interrupt or an error
+  virtual void save() = 0;  // into work_dir, after an interrupt or an error
   virtual void finish(RunEnd&) = 0;
 
   void tell(const Event&) const;
@@ -31,7 +31,7 @@ class ModeRun {
   const RunOptions& options_;
   ReferenceSurface surface_;
   std::unique_ptr<Clock> clock_;
-  double cpu_continuum_ = 0, cpu_engine_ = 0;   // [s]
+  double cpu_continuum_ = 0, cpu_engine_ = 0;  // [s]
 
  private:
   void end(RunEnd&, double wall_start, double cpu_start);

@@ -20,67 +20,68 @@ namespace couloir {
 struct RunStart {
   const Scene* scene = nullptr;
   const ReferenceSurface* surface = nullptr;
-  Grid grid;                                 // nx = 0 in grains mode
-  std::vector<double> bed;                   // [m] elevation and step obstacles by cell, [j * nx + i]
+  Grid grid;                // nx = 0 in grains mode
+  std::vector<double> bed;  // [m] elevation and step obstacles by cell, [j * nx + i]
   std::vector<std::string> obstacles;
   std::vector<Effect> effects;
-  double bulk_density = 0;                   // [kg/m3] that both models use
+  double bulk_density = 0;  // [kg/m3] that both models use
 };
 
-struct MassLedger {                          // [kg]
+struct MassLedger {  // [kg]
   double initial = 0, continuum = 0, grains = 0, faces = 0, airborne = 0, left_domain = 0, entered = 0;
   double total() const { return continuum + grains + faces + airborne + left_domain - entered; }
-  double relative_error() const;             // |total - initial| / max(initial, entered)
+  double relative_error() const;  // |total - initial| / max(initial, entered)
 };
 
-struct MomentumLedger {                      // [N s] along the slope in this window, tilted frame
+struct MomentumLedger {  // [N s] along the slope in this window, tilted frame
   double storage = 0, gravity = 0, bed = 0, obstacles = 0, boundary = 0, faces = 0;
-  double residual = 0;                       // storage - all the others
-  double scale = 0;                          // what the residual is divided by: the largest momentum met so far
+  double residual = 0;  // storage - all the others
+  double scale = 0;     // what the residual is divided by: the largest momentum met so far
 };
 
 struct ObstacleForce {
-  Vec force{};                               // [N] mean over the window; x along the slope, y across, z along the normal
-  double depth_on_top = 0;                   // [m] largest, at the window's end
+  Vec force{};              // [N] mean over the window; x along the slope, y across, z along the normal
+  double depth_on_top = 0;  // [m] largest, at the window's end
 };
 
 struct WindowReport {
-  double time = 0;                           // [s] at the window's end
-  double length = 0;                         // [s]
+  double time = 0;    // [s] at the window's end
+  double length = 0;  // [s]
   long index = 0;
   MassLedger mass;
   MomentumLedger momentum;
-  std::vector<ObstacleForce> obstacles;      // as RunStart::obstacles
+  std::vector<ObstacleForce> obstacles;         // as RunStart::obstacles
   long grains = 0, inserted = 0, returned = 0;  // now; since the start
   std::int64_t engine_steps = 0;
   std::int64_t solver_steps = 0, cell_updates = 0;
-  double max_overlap = 0;                    // [-]
-  double max_speed = 0;                      // [m/s] of grains and flow
-  double min_depth = 0;                      // [m]
-  double overtopped = 0;                     // [kg] net over all obstacles since the start
+  double max_overlap = 0;  // [-]
+  double max_speed = 0;    // [m/s] of grains and flow
+  double min_depth = 0;    // [m]
+  double overtopped = 0;   // [kg] net over all obstacles since the start
 };
 
 struct FrameView {
   double time = 0;
   long index = 0;
-  const std::vector<double>*h = nullptr, *hu = nullptr, *hv = nullptr;  // whole domain, coarse-grained in the zone; null in grains mode
-  CellBox zone;                              // empty: no zone
-  const Grains* grains = nullptr;            // null: none; positions in the tilted frame
+  const std::vector<double>*h = nullptr, *hu = nullptr,
+        *hv = nullptr;             // whole domain, coarse-grained in the zone; null in grains mode
+  CellBox zone;                    // empty: no zone
+  const Grains* grains = nullptr;  // null: none; positions in the tilted frame
 };
 
 struct Event {
   double time = 0;
-  std::string what;                          // one sentence with its reason and its numbers
+  std::string what;  // one sentence with its reason and its numbers
 };
 
 struct RunEnd {
-  std::string status;                        // "done" | "interrupted" | "failed"
+  std::string status;  // "done" | "interrupted" | "failed"
   std::string reason;
-  double wall = 0, cpu = 0;                  // [s]
+  double wall = 0, cpu = 0;                                    // [s]
   double cpu_continuum = 0, cpu_engine = 0, cpu_coupling = 0;  // [s] shares of cpu
   long peak_grains = 0;
   std::int64_t particle_steps = 0;
-  std::string engine;                        // name and version, empty: none
+  std::string engine;  // name and version, empty: none
 };
 
 class Observer {

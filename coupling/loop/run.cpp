@@ -1,8 +1,7 @@
 #include "coupling/loop/run.hpp"
 
-#include <ctime>
-
 #include <chrono>
+#include <ctime>
 
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/plan/build.hpp"
@@ -10,7 +9,9 @@
 namespace couloir {
 namespace {
 
-double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double wall_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 }  // namespace
 

@@ -18,9 +18,9 @@ namespace couloir {
 
 struct RunOptions {
   int threads = 1;
-  std::string work_dir;                            // of the engine and for checkpoints; must exist
-  std::string worker;                              // path of the engine's worker
-  std::string packings;                            // folder in which settled packings are kept
+  std::string work_dir;  // of the engine and for checkpoints; must exist
+  std::string worker;    // path of the engine's worker
+  std::string packings;  // folder in which settled packings are kept
   std::function<bool()> interrupted = [] { return false; };
   std::function<void(const GrainEngine&)> on_engine = [](const GrainEngine&) {};  // when it has started (tests kill it here)
 };

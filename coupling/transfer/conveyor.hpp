@@ -30,21 +30,21 @@ class Conveyor {
   void advance(int segment, double displacement, double mass, const std::vector<double>& depth, double velocity,
                const Occupied& occupied, std::int64_t& next_id, std::vector<NewGrain>& out);
 
-  double owed() const;                          // [kg] given by the continuum, not yet grains; all segments
+  double owed() const;  // [kg] given by the continuum, not yet grains; all segments
   double owed(int segment) const { return state_[segment].owed; }
   void owe(int segment, double mass) { state_[segment].owed += mass; }
 
-  struct State {                                // of one segment, for checkpoints
-    double position = 0;                        // [m] how far the block has come
-    double owed = 0;                            // [kg]
-    long passed = 0;                            // grains of the tiled block that have passed the insertion plane
+  struct State {          // of one segment, for checkpoints
+    double position = 0;  // [m] how far the block has come
+    double owed = 0;      // [kg]
+    long passed = 0;      // grains of the tiled block that have passed the insertion plane
   };
   const std::vector<State>& states() const { return state_; }
   void restore(const std::vector<State>& states) { state_ = states; }
 
  private:
   struct Candidate {
-    double x, along, z, r;                      // how far the block must come for it, along the face, above the bed
+    double x, along, z, r;  // how far the block must come for it, along the face, above the bed
   };
   const RimFace* face_;
   int face_index_;

@@ -7,8 +7,8 @@ namespace couloir {
 void DomainEdge::take(const Grains& g, const ReferenceSurface& surface, std::vector<std::int64_t>& remove) {
   for (std::size_t i = 0; i < g.size(); ++i) {
     const SurfacePoint p = surface.to_surface({g.x[i], g.y[i], g.z[i]});
-    const bool out = (open_[0] && p.x < 0) || (open_[1] && p.x > length_) || (open_[2] && p.y < -width_ / 2) ||
-                     (open_[3] && p.y > width_ / 2);
+    const bool out =
+        (open_[0] && p.x < 0) || (open_[1] && p.x > length_) || (open_[2] && p.y < -width_ / 2) || (open_[3] && p.y > width_ / 2);
     if (!out) continue;
     const double r = g.radius[i], m = 4.0 / 3.0 * std::numbers::pi * r * r * r * density_;
     mass_ += m;

@@ -17,8 +17,8 @@ class DomainEdge {
 
   // Appends the ids of those outside.
   void take(const Grains&, const ReferenceSurface&, std::vector<std::int64_t>& remove);
-  double mass() const { return mass_; }            // [kg] since the start
-  double momentum() const { return momentum_; }    // [N s] along X of the tilted frame, since the start
+  double mass() const { return mass_; }          // [kg] since the start
+  double momentum() const { return momentum_; }  // [N s] along X of the tilted frame, since the start
 
  private:
   std::array<bool, 4> open_;

@@ -9,7 +9,9 @@ Handback::Handback(const Rim& rim, const ReferenceSurface& surface, double grain
   for (const RimFace& face : rim.faces()) pending_.emplace_back(face.cells);
 }
 
-double Handback::grain_mass(double r) const { return 4.0 / 3.0 * std::numbers::pi * r * r * r * density_; }
+double Handback::grain_mass(double r) const {
+  return 4.0 / 3.0 * std::numbers::pi * r * r * r * density_;
+}
 
 void Handback::mark_shadow(std::int64_t id) {
   if (id >= std::int64_t(shadow_.size())) shadow_.resize(2 * id + 1000, 0);

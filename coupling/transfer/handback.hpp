@@ -15,30 +15,30 @@
 
 namespace couloir {
 
-struct Parcel {                     // on its way into the cell outside of face cell k
-  double mass = 0;                  // [kg] negative: to be taken
-  double mom_x = 0, mom_y = 0;      // [N s] reference coordinates
+struct Parcel {                 // on its way into the cell outside of face cell k
+  double mass = 0;              // [kg] negative: to be taken
+  double mom_x = 0, mom_y = 0;  // [N s] reference coordinates
 };
 
 class Handback {
  public:
   Handback(const Rim&, const ReferenceSurface&, double grain_density);
 
-  struct Outside {                  // of a segment
-    bool inflow = false;            // the flow comes in there
-    double buffer = 0;              // [m] how far out shadows live
+  struct Outside {        // of a segment
+    bool inflow = false;  // the flow comes in there
+    double buffer = 0;    // [m] how far out shadows live
   };
   // Sorts out all free grains after a window. `outside[face][segment]`.
   // Appends to `remove` the ids that must go.
   void sort(const Grains&, const std::vector<std::vector<Outside>>& outside, std::vector<std::int64_t>& remove);
 
-  std::vector<std::vector<Parcel>>& pending() { return pending_; }             // [face][cell]
+  std::vector<std::vector<Parcel>>& pending() { return pending_; }  // [face][cell]
   const std::vector<std::vector<Parcel>>& pending() const { return pending_; }
   double pending_mass() const;      // [kg]
   double pending_momentum() const;  // [N s] along x
   bool is_shadow(std::int64_t id) const { return id < std::int64_t(shadow_.size()) && shadow_[id]; }
   void mark_shadow(std::int64_t id);
-  long returned() const { return returned_; }   // grains handed back since the start
+  long returned() const { return returned_; }  // grains handed back since the start
   double grain_mass(double radius) const;
 
  private:
@@ -46,7 +46,7 @@ class Handback {
   const ReferenceSurface* surface_;
   double density_;
   std::vector<std::vector<Parcel>> pending_;
-  std::vector<char> shadow_;        // by id
+  std::vector<char> shadow_;  // by id
   long returned_ = 0;
 };
 

@@ -6,7 +6,9 @@
 namespace couloir {
 namespace {
 
-Vec to_vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Vec to_vec(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 double dot_offset(const Vec& p, const Vec& origin, const Vec& direction) {
   return (p[0] - origin[0]) * direction[0] + (p[1] - origin[1]) * direction[1] + (p[2] - origin[2]) * direction[2];
@@ -14,9 +16,15 @@ double dot_offset(const Vec& p, const Vec& origin, const Vec& direction) {
 
 }  // namespace
 
-double RimFace::distance(const Vec& p) const { return dot_offset(p, drive.origin, drive.inward); }
-double RimFace::along(const Vec& p) const { return dot_offset(p, drive.origin, drive.along); }
-int RimFace::cell_at(double a) const { return int(std::clamp(std::floor(a / cell_width), 0.0, double(cells - 1))); }
+double RimFace::distance(const Vec& p) const {
+  return dot_offset(p, drive.origin, drive.inward);
+}
+double RimFace::along(const Vec& p) const {
+  return dot_offset(p, drive.origin, drive.along);
+}
+int RimFace::cell_at(double a) const {
+  return int(std::clamp(std::floor(a / cell_width), 0.0, double(cells - 1)));
+}
 
 Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface, const RimSettings& settings)
     : zone_(zone), settings_(settings) {
@@ -42,7 +50,8 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
   const Eigen::Vector3d across(0, 1, 0);
   // On an arc a lateral face is a plane; its long direction is the chord's.
   const Eigen::Vector3d chord = (surface.to_space({xh, 0, 0}) - surface.to_space({xl, 0, 0})).normalized();
-  if (zone.i0 > 0) add(SideName::upstream, zone.j1 - zone.j0, grid.dy, surface.to_space({xl, yl, 0}), surface.tangent(xl), across);
+  if (zone.i0 > 0)
+    add(SideName::upstream, zone.j1 - zone.j0, grid.dy, surface.to_space({xl, yl, 0}), surface.tangent(xl), across);
   if (zone.i1 < grid.nx)
     add(SideName::downstream, zone.j1 - zone.j0, grid.dy, surface.to_space({xh, yl, 0}), -surface.tangent(xh), across);
   if (zone.j0 > 0) add(SideName::left, zone.i1 - zone.i0, grid.dx, surface.to_space({xl, yl, 0}), across, chord);
@@ -51,19 +60,27 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
 
 std::pair<int, int> Rim::outside_cell(const RimFace& face, int k) const {
   switch (face.side) {
-    case SideName::upstream: return {zone_.i0 - 1, zone_.j0 + k};
-    case SideName::downstream: return {zone_.i1, zone_.j0 + k};
-    case SideName::left: return {zone_.i0 + k, zone_.j0 - 1};
-    default: return {zone_.i0 + k, zone_.j1};
+    case SideName::upstream:
+      return {zone_.i0 - 1, zone_.j0 + k};
+    case SideName::downstream:
+      return {zone_.i1, zone_.j0 + k};
+    case SideName::left:
+      return {zone_.i0 + k, zone_.j0 - 1};
+    default:
+      return {zone_.i0 + k, zone_.j1};
   }
 }
 
 std::pair<int, int> Rim::inside_cell(const RimFace& face, int k) const {
   switch (face.side) {
-    case SideName::upstream: return {zone_.i0, zone_.j0 + k};
-    case SideName::downstream: return {zone_.i1 - 1, zone_.j0 + k};
-    case SideName::left: return {zone_.i0 + k, zone_.j0};
-    default: return {zone_.i0 + k, zone_.j1 - 1};
+    case SideName::upstream:
+      return {zone_.i0, zone_.j0 + k};
+    case SideName::downstream:
+      return {zone_.i1 - 1, zone_.j0 + k};
+    case SideName::left:
+      return {zone_.i0 + k, zone_.j0};
+    default:
+      return {zone_.i0 + k, zone_.j1 - 1};
   }
 }
 

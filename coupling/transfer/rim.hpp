@@ -16,26 +16,26 @@ namespace couloir {
 
 struct RimFace {
   SideName side;
-  int cells = 0;               // along the face
-  double cell_width = 0;       // [m] along the face
+  int cells = 0;          // along the face
+  double cell_width = 0;  // [m] along the face
   int cells_per_segment = 1;
   int segments = 0;
-  DriveFace drive;             // the same face for the engine
+  DriveFace drive;                                                                                 // the same face for the engine
   int axis() const { return side == SideName::upstream || side == SideName::downstream ? 0 : 1; }  // normal along x or y
   double sign() const { return side == SideName::upstream || side == SideName::left ? 1 : -1; }    // of the inward normal
   int segment_of_cell(int k) const { return k / cells_per_segment; }
-  double distance(const Vec& p) const;    // [m] along the inward normal, positive in the zone
-  double along(const Vec& p) const;       // [m] from the face's low end
-  int cell_at(double along) const;        // clamped to the face
+  double distance(const Vec& p) const;  // [m] along the inward normal, positive in the zone
+  double along(const Vec& p) const;     // [m] from the face's low end
+  int cell_at(double along) const;      // clamped to the face
 };
 
 struct RimSettings {
-  double diameter = 0;         // [m]
-  double layer = 2;            // depth of the driven layer [d]
-  double buffer = 12;          // how far grains that left live on outside as support for those inside [d]
-  double short_buffer = 4;     // the same where the outflow is fast [d]
-  double strip = 3;            // the buffer's last part, in which they move with the flow outside [d]
-  double segment = 16;         // least width of a segment [d]
+  double diameter = 0;      // [m]
+  double layer = 2;         // depth of the driven layer [d]
+  double buffer = 12;       // how far grains that left live on outside as support for those inside [d]
+  double short_buffer = 4;  // the same where the outflow is fast [d]
+  double strip = 3;         // the buffer's last part, in which they move with the flow outside [d]
+  double segment = 16;      // least width of a segment [d]
 };
 
 class Rim {
@@ -44,8 +44,8 @@ class Rim {
 
   const std::vector<RimFace>& faces() const { return faces_; }
   const RimSettings& settings() const { return settings_; }
-  double layer() const { return settings_.layer * settings_.diameter; }    // [m]
-  double buffer() const { return settings_.buffer * settings_.diameter; }  // [m]
+  double layer() const { return settings_.layer * settings_.diameter; }                // [m]
+  double buffer() const { return settings_.buffer * settings_.diameter; }              // [m]
   double short_buffer() const { return settings_.short_buffer * settings_.diameter; }  // [m]
 
   // The cell outside of the rim that face cell k borders on.

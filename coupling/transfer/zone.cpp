@@ -108,8 +108,8 @@ void Zone::look_outside(const Solver& solver) {
       // A raft starts with its flow: one that had to be pushed into motion would dam it up first.
       if (segment.inflow != before) segment.raft = segment.rate = segment.inflow ? hn / h : 0;
     }
-    // One velocity for the face's free inflow, so that neighbouring rafts keep step and do not shear their grains into each other;
-    // the depths differ, so the flow that each cell gives still does.
+    // One velocity for the face's free inflow, so that neighbouring rafts keep step and do not shear their grains into each
+    // other; the depths differ, so the flow that each cell gives still does.
     if (all_h > 0)
       for (Segment& segment : segments_[f])
         if (segment.inflow) segment.normal = all_hn / all_h;
@@ -142,8 +142,8 @@ void Zone::impose(Solver& solver) {
         normal_momentum = inward * raft + push(solver, f, k, raft);
         tangential = q.h > 0 ? inward * (face.axis() == 0 ? q.hv : q.hu) / q.h : 0;
       } else {
-        // Not drawn in. Flow that comes towards the grains meets them as a wall; what leaves shares its pressure with them over the
-        // depth that both have, so that grains beside an empty bed push nothing but themselves.
+        // Not drawn in. Flow that comes towards the grains meets them as a wall; what leaves shares its pressure with them over
+        // the depth that both have, so that grains beside an empty bed push nothing but themselves.
         const double g = settings_.gravity * std::cos(surface_->angle(grid_.x(i)));
         const double shared = 0.5 * solver.earth_pressure(i, j)[face.axis()] * g * q.h * solver.at(ci, cj).h;
         const bool comes = face.sign() * (face.axis() == 0 ? q.hu : q.hv) > 0;
@@ -247,9 +247,9 @@ void Zone::drive_strip(const Solver& solver, const RimFace& face, int first, int
   const double depth = there.h / (last - first);
   drive.exit_active = depth > 0.5 * settings_.rim.diameter && outward(there) > 0 && outward(here) > 0;
   if (!drive.exit_active) return;
-  // A subcritical outflow is told by the flow beyond how fast to leave. A supercritical one has made the flow beyond: that velocity
-  // alone feeds back and runs away by 1 % in a zone's length, its own alone by 2 % the other way (measured, Fr 1.66); half of each
-  // does not.
+  // A subcritical outflow is told by the flow beyond how fast to leave. A supercritical one has made the flow beyond: that
+  // velocity alone feeds back and runs away by 1 % in a zone's length, its own alone by 2 % the other way (measured, Fr 1.66);
+  // half of each does not.
   const double own = outward(there) > there.h * std::sqrt(settings_.gravity * depth) ? 0.5 : 0;
   const double u = own * here.hu / here.h + (1 - own) * there.hu / there.h;
   const double v = own * here.hv / here.h + (1 - own) * there.hv / there.h;
@@ -324,7 +324,8 @@ void Zone::absorb(const Advanced& advanced, Solver& solver) {
       }
     }
 
-  field_ = coarse_grain(g, grid_, settings_.box, *surface_, table_->grain_density(), table_->bulk_density(), settings_.periodic_y);
+  field_ =
+      coarse_grain(g, grid_, settings_.box, *surface_, table_->grain_density(), table_->bulk_density(), settings_.periodic_y);
   const CellBox& box = settings_.box;
   for (int j = box.j0; j < box.j1; ++j)
     for (int i = box.i0; i < box.i1; ++i) solver.set_covered(i, j, field_.at(i, j));
@@ -336,7 +337,9 @@ double Zone::faces_mass() const {
   return sum;
 }
 
-double Zone::faces_momentum() const { return handback_.pending_momentum(); }
+double Zone::faces_momentum() const {
+  return handback_.pending_momentum();
+}
 
 double Zone::grains_mass(const Grains& g) const {
   double sum = 0;

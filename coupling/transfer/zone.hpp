@@ -8,8 +8,8 @@
 //   absorb(advanced)   grains that left are handed back; the covered cells show the grains' depth and velocity
 //
 // Precedence: impose < solver < request < engine < absorb < next impose. Each transfer lags by one window; what is on its way is
-// in the ledger (`faces_mass`). At a segment into which the flow comes, the raft (grain_engine.hpp) moves under the grains' forces
-// and the push of the flow that it dams up: the mirrored Riemann problem of (h, u - u_raft), with the flow's own K.
+// in the ledger (`faces_mass`). At a segment into which the flow comes, the raft (grain_engine.hpp) moves under the grains'
+// forces and the push of the flow that it dams up: the mirrored Riemann problem of (h, u - u_raft), with the flow's own K.
 
 #include <vector>
 
@@ -22,9 +22,9 @@ namespace couloir {
 struct ZoneSettings {
   CellBox box;
   RimSettings rim;
-  double window = 0;         // [s]
-  std::int64_t steps = 0;    // engine steps in a window
-  double gravity = 9.81;     // [m/s2]
+  double window = 0;       // [s]
+  std::int64_t steps = 0;  // engine steps in a window
+  double gravity = 9.81;   // [m/s2]
   bool periodic_y = false;
 };
 
@@ -42,8 +42,8 @@ class Zone {
 
   const Rim& rim() const { return rim_; }
   bool is_shadow(std::int64_t id) const { return handback_.is_shadow(id); }
-  double faces_mass() const;             // [kg] owed by conveyors, on its way to the continuum, less what was lent at the start
-  double faces_momentum() const;         // [N s] along x
+  double faces_mass() const;      // [kg] owed by conveyors, on its way to the continuum, less what was lent at the start
+  double faces_momentum() const;  // [N s] along x
   double grains_mass(const Grains&) const;      // [kg] all but shadows
   double grains_momentum(const Grains&) const;  // [N s] along x, all but shadows
   long inserted() const { return inserted_; }
@@ -51,12 +51,12 @@ class Zone {
   const CoarseGrained& field() const { return field_; }
 
  private:
-  struct Segment {                       // of a face: what the flow outside does there
-    bool inflow = false;                 // comes in steeply enough to be carried by a raft
-    bool fast_outflow = false;           // normal Froude number above 2
-    double depth = 0, normal = 0, along = 0;     // [m], [m/s] inward: all inflow of the face together, [m/s]
-    double raft = 0, displacement = 0;   // [m/s], [m] of the last window
-    double rate = 0;                     // [m/s] at which the raft draws the flow in
+  struct Segment {                            // of a face: what the flow outside does there
+    bool inflow = false;                      // comes in steeply enough to be carried by a raft
+    bool fast_outflow = false;                // normal Froude number above 2
+    double depth = 0, normal = 0, along = 0;  // [m], [m/s] inward: all inflow of the face together, [m/s]
+    double raft = 0, displacement = 0;        // [m/s], [m] of the last window
+    double rate = 0;                          // [m/s] at which the raft draws the flow in
   };
   void look_outside(const Solver&);
   double push(const Solver&, int face, int k, double raft) const;  // [m3/s2] per unit width and density
@@ -64,7 +64,7 @@ class Zone {
   void settle_departed(int face, int segment, const Grains&);
   Conveyor::Occupied occupied(int face, const std::vector<NewGrain>& inserted) const;
 
-  static constexpr double steepest_ = 0.5;     // least ratio of normal to tangential velocity that a raft carries in
+  static constexpr double steepest_ = 0.5;  // least ratio of normal to tangential velocity that a raft carries in
 
   ZoneSettings settings_;
   Grid grid_;
@@ -74,15 +74,15 @@ class Zone {
   std::vector<Conveyor> conveyors_;
   Handback handback_;
   std::vector<std::vector<Segment>> segments_;
-  std::vector<std::vector<double>> imposed_;   // [face][cell] inward [m2/s] drawn in by rafts in this window
+  std::vector<std::vector<double>> imposed_;  // [face][cell] inward [m2/s] drawn in by rafts in this window
   CoarseGrained field_;
   std::vector<std::int64_t> remove_;
-  std::vector<NewGrain> layer_;                // driven grains after the last window, for the overlap test
-  double lent_ = 0;                            // [kg] the driven layers' first filling
-  double remainder_ = 0;                       // [kg] left over from filling with whole grains
+  std::vector<NewGrain> layer_;  // driven grains after the last window, for the overlap test
+  double lent_ = 0;              // [kg] the driven layers' first filling
+  double remainder_ = 0;         // [kg] left over from filling with whole grains
   std::int64_t next_id_ = 1;
   long inserted_ = 0;
-  bool fresh_ = false;                         // no window yet
+  bool fresh_ = false;  // no window yet
 };
 
 }  // namespace couloir

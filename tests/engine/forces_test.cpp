@@ -44,7 +44,8 @@ TEST(SurfaceForces, OfSettledGrainsSumToTheWeightAlsoWhenTilted) {
   }
 }
 
-// P1 - P0 = gravity + surfaces + driving + inserted - removed, window by window, with everything going on at once, checkpoints included.
+// P1 - P0 = gravity + surfaces + driving + inserted - removed, window by window, with everything going on at once, checkpoints
+// included.
 TEST(Momentum, IsBookedExactly) {
   for (const int ranks : {1, 2}) {
     Folder folder;

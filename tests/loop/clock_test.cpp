@@ -11,7 +11,9 @@ TEST(Clock, CountsWindowsInIntegersAndReachesTheDuration) {
   EXPECT_EQ(clock.time(1000), 2.34e-5 * 40000);
 }
 
-TEST(Clock, ADurationOfWholeWindowsGetsNoExtraOne) { EXPECT_EQ(Clock(1e-3, 1, 1.5).windows(), 1500); }
+TEST(Clock, ADurationOfWholeWindowsGetsNoExtraOne) {
+  EXPECT_EQ(Clock(1e-3, 1, 1.5).windows(), 1500);
+}
 
 TEST(Schedule, IsDueOncePerIntervalAndDoesNotDrift) {
   Schedule frames(0.02);

@@ -46,7 +46,8 @@ TEST(Conveyor, GrainsEnterBehindTheLayerWithTheRaftsVelocity) {
   Bench b;
   std::vector<NewGrain> out;
   std::vector<double> depth(b.face.cells, 0.02);
-  b.conveyor.advance(0, 0.01, b.table.bulk_density() * 0.02 * 0.01 * b.face.drive.segment_width, depth, 1.3, never, b.next_id, out);
+  b.conveyor.advance(0, 0.01, b.table.bulk_density() * 0.02 * 0.01 * b.face.drive.segment_width, depth, 1.3, never, b.next_id,
+                     out);
   ASSERT_FALSE(out.empty());
   for (const NewGrain& g : out) {
     const double s = b.face.distance(g.position);
@@ -63,7 +64,8 @@ TEST(Conveyor, ARejectedGrainStaysOwed) {
   Bench b;
   std::vector<NewGrain> out;
   std::vector<double> depth(b.face.cells, 0.02);
-  b.conveyor.advance(0, 0.01, 0.3, depth, 1, [](int, const Vec&, double) { return true; }, b.next_id, out);
+  b.conveyor.advance(
+      0, 0.01, 0.3, depth, 1, [](int, const Vec&, double) { return true; }, b.next_id, out);
   EXPECT_TRUE(out.empty());
   EXPECT_DOUBLE_EQ(b.conveyor.owed(), 0.3);
 }

@@ -25,7 +25,12 @@ TEST(Fill, GivesTheFlowsVelocityAlongTheSurface) {
   const PackingTable table(lattice_packing(), 2500);
   const auto surface = ReferenceSurface::incline(0.6, 1);
   std::int64_t next = 1;
-  const auto grains = fill({0.2, 0.4, -0.1, 0.1}, [](double, double) { return FlowState{0.02, 0.03, 0.01}; }, 0, table, surface, next);
+  const auto grains = fill(
+      {0.2, 0.4, -0.1, 0.1},
+      [](double, double) {
+        return FlowState{0.02, 0.03, 0.01};
+      },
+      0, table, surface, next);
   ASSERT_FALSE(grains.empty());
   for (const NewGrain& g : grains) {
     EXPECT_NEAR(g.velocity[0], 1.5, 1e-12);
@@ -37,7 +42,12 @@ TEST(Fill, GivesTheFlowsVelocityAlongTheSurface) {
 TEST(Fill, RefusesAFlowDeeperThanThePacking) {
   const PackingTable table(lattice_packing(), 2500);
   std::int64_t next = 1;
-  EXPECT_THROW(fill({0, 0.1, 0, 0.1}, [](double, double) { return FlowState{1, 0, 0}; }, 0, table, ReferenceSurface::flat(1), next),
+  EXPECT_THROW(fill(
+                   {0, 0.1, 0, 0.1},
+                   [](double, double) {
+                     return FlowState{1, 0, 0};
+                   },
+                   0, table, ReferenceSurface::flat(1), next),
                std::invalid_argument);
 }
 

@@ -27,6 +27,8 @@ TEST(PackingTable, NothingForNoMassAndAllForTooMuch) {
   EXPECT_GT(table.cut(2 * table.areal_mass()), table.packing().depth);
 }
 
-TEST(PackingTable, RefusesAnEmptyBlock) { EXPECT_THROW(PackingTable(Packing{}, 2500), std::invalid_argument); }
+TEST(PackingTable, RefusesAnEmptyBlock) {
+  EXPECT_THROW(PackingTable(Packing{}, 2500), std::invalid_argument);
+}
 
 }  // namespace couloir

@@ -26,7 +26,8 @@ TEST(Rim, DistanceIsPositiveInsideAndCellsAreCountedFromTheLowEnd) {
     const auto [i, j] = rim.outside_cell(face, 3);
     const auto [ci, cj] = rim.inside_cell(face, 3);
     EXPECT_EQ(std::abs(i - ci) + std::abs(j - cj), 1);
-    const Eigen::Vector3d out = surface.to_space({grid.x(i), grid.y(j), 0.01}), in = surface.to_space({grid.x(ci), grid.y(cj), 0.01});
+    const Eigen::Vector3d out = surface.to_space({grid.x(i), grid.y(j), 0.01}),
+                          in = surface.to_space({grid.x(ci), grid.y(cj), 0.01});
     EXPECT_NEAR(face.distance({out.x(), out.y(), out.z()}), -0.005, 1e-12);
     EXPECT_NEAR(face.distance({in.x(), in.y(), in.z()}), 0.005, 1e-12);
     EXPECT_EQ(face.cell_at(face.along({in.x(), in.y(), in.z()})), 3);

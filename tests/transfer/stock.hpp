@@ -18,7 +18,8 @@ inline Packing lattice_packing(double d = 0.005, int n = 20, int layers = 12) {
   for (int k = 0; k < layers; ++k)
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
-        p.grains.push_back({std::fmod(i + 0.618034 * (j + n * k), n) * d, (j + 0.5) * d + jitter(random), (k + 0.5) * d + jitter(random), radius(random)});
+        p.grains.push_back({std::fmod(i + 0.618034 * (j + n * k), n) * d, (j + 0.5) * d + jitter(random),
+                            (k + 0.5) * d + jitter(random), radius(random)});
   std::stable_sort(p.grains.begin(), p.grains.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   double volume = 0;
   for (const auto& g : p.grains) volume += 4.0 / 3.0 * M_PI * g.r * g.r * g.r;
