@@ -11,6 +11,7 @@
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/plan.hpp"
 #include "coupling/plan/release.hpp"
+#include "coupling/transfer/domain_edge.hpp"
 #include "coupling/transfer/zone.hpp"
 
 namespace couloir {
@@ -51,6 +52,13 @@ class CoupledRun : public ModeRun {
                      cell(z.y0, grid.y0, grid.dy, grid.ny), cell(z.y1, grid.y0, grid.dy, grid.ny)};
     box_ = {grid.x0 + settings_.box.i0 * grid.dx, grid.x0 + settings_.box.i1 * grid.dx, grid.y0 + settings_.box.j0 * grid.dy,
             grid.y0 + settings_.box.j1 * grid.dy};
+    const bool touches[] = {settings_.box.i0 == 0, settings_.box.i1 == grid.nx, settings_.box.j0 == 0,
+                            settings_.box.j1 == grid.ny};
+    std::array<bool, 4> open{};
+    for (int q = 0; q < 4; ++q)
+      open[q] = touches[q] && (scene_.sides[q].kind == SideSpec::Kind::outflow || scene_.sides[q].kind == SideSpec::Kind::inflow);
+    edge_ =
+        std::make_unique<DomainEdge>(open, scene_.terrain.total_length(), scene_.terrain.width, grains_->table().grain_density());
     settings_.rim.diameter = scene_.grains.diameter;
     settings_.window = clock_->window();
     settings_.steps = clock_->steps_per_window();
@@ -121,11 +129,16 @@ class CoupledRun : public ModeRun {
       const double grain_momentum = zone_->grains_momentum(a.grains), faces_momentum = zone_->faces_momentum();
       w.mass.grains = grain_mass_;
       w.mass.faces = zone_->faces_mass();
+      w.mass.left_domain += edge_->mass();
       if (!flow_momentum_jump_) {
         w.momentum.storage += grain_momentum + faces_momentum - grain_momentum_;
         w.momentum.gravity += 0.5 * (mass_before + grain_mass_) * scene_.gravity * surface_.gravity_direction().x() * w.length;
         w.momentum.bed += grains_->impulse_x("bed");
+        w.momentum.boundary -= edge_->momentum() - left_momentum_;
+        for (const char* side : {"side_left", "side_right", "side_upstream", "side_downstream"})
+          w.momentum.boundary += grains_->impulse_x(side);
       }
+      left_momentum_ = edge_->momentum();
       grain_momentum_ = grain_momentum + faces_momentum;
       momentum += grain_momentum_;
       w.grains = long(a.grains.size());
@@ -146,6 +159,9 @@ class CoupledRun : public ModeRun {
     grains_->advance(request);
     cpu_engine_ = grains_->cpu();
     zone_->absorb(grains_->last(), flow_->solver());
+    std::vector<std::int64_t> left;
+    edge_->take(grains_->last().grains, surface_, left, [&](std::int64_t id) { return !zone_->is_shadow(id); });
+    zone_->take_out(left);
   }
 
   FrameView frame() override {
@@ -168,11 +184,12 @@ class CoupledRun : public ModeRun {
   std::unique_ptr<FlowSide> flow_;
   std::unique_ptr<GrainSide> grains_;
   std::unique_ptr<Zone> zone_;
+  std::unique_ptr<DomainEdge> edge_;
   ZoneSettings settings_;
   ZoneBox box_;
   std::vector<NewGrain> first_;
   MomentumBook book_;
-  double grain_mass_ = 0, grain_momentum_ = 0;
+  double grain_mass_ = 0, grain_momentum_ = 0, left_momentum_ = 0;
   bool flow_momentum_jump_ = false;
 };
 

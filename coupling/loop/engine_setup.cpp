@@ -143,6 +143,15 @@ EngineSetup engine_setup_zone(const Scene& s, const ReferenceSurface& surface, c
   EngineSetup setup = material_setup(s, surface, density, work_dir);
   Patch region{z.x0, z.x1, z.y0, z.y1};
   const double margin = rim.buffer() + open_margin * s.grains.diameter;
+  const auto touches_open = [&](int side, bool touches) {
+    return touches && (s.sides[side].kind == SideSpec::Kind::outflow || s.sides[side].kind == SideSpec::Kind::inflow);
+  };
+  // Where the zone ends with an open domain, grains pass its side before they are taken out.
+  const double half = s.terrain.width / 2, length = s.terrain.total_length(), near = 1e-9;
+  if (touches_open(0, z.x0 < near)) region.x0 -= margin;
+  if (touches_open(1, z.x1 > length - near)) region.x1 += margin;
+  if (touches_open(2, z.y0 < -half + near)) region.y0 -= margin;
+  if (touches_open(3, z.y1 > half - near)) region.y1 += margin;
   for (const RimFace& face : rim.faces()) {
     if (face.side == SideName::upstream) region.x0 -= margin;
     if (face.side == SideName::downstream) region.x1 += margin;

@@ -2,6 +2,7 @@
 // Grains that leave the domain through an open side: taken out, and their mass and momentum booked.
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "continuum/terrain/reference_surface.hpp"
@@ -15,8 +16,10 @@ class DomainEdge {
   DomainEdge(std::array<bool, 4> open, double length, double width, double grain_density)
       : open_(open), length_(length), width_(width), density_(grain_density) {}
 
-  // Appends the ids of those outside.
-  void take(const Grains&, const ReferenceSurface&, std::vector<std::int64_t>& remove);
+  // Appends the ids of those outside, where `counted` says that they are the run's.
+  void take(
+      const Grains&, const ReferenceSurface&, std::vector<std::int64_t>& remove,
+      const std::function<bool(std::int64_t)>& counted = [](std::int64_t) { return true; });
   double mass() const { return mass_; }          // [kg] since the start
   double momentum() const { return momentum_; }  // [N s] along X of the tilted frame, since the start
 

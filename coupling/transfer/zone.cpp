@@ -331,6 +331,15 @@ void Zone::absorb(const Advanced& advanced, Solver& solver) {
     for (int i = box.i0; i < box.i1; ++i) solver.set_covered(i, j, field_.at(i, j));
 }
 
+void Zone::take_out(const std::vector<std::int64_t>& ids) {
+  for (const std::int64_t id : ids) {
+    handback_.mark_shadow(id);
+    remove_.push_back(id);
+  }
+  std::sort(remove_.begin(), remove_.end());
+  remove_.erase(std::unique(remove_.begin(), remove_.end()), remove_.end());
+}
+
 double Zone::faces_mass() const {
   double sum = handback_.pending_mass() + remainder_ - lent_;
   for (const Conveyor& conveyor : conveyors_) sum += conveyor.owed();

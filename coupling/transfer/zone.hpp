@@ -39,6 +39,7 @@ class Zone {
   void impose(Solver&);
   AdvanceRequest request(Solver&);
   void absorb(const Advanced&, Solver&);
+  void take_out(const std::vector<std::int64_t>& ids);  // grains that have left the domain: no longer counted, removed next
 
   const Rim& rim() const { return rim_; }
   bool is_shadow(std::int64_t id) const { return handback_.is_shadow(id); }

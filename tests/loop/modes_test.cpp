@@ -26,6 +26,21 @@ TEST(Modes, CoupledKeepsMassInEveryWindowAndReadsTheWall) {
   EXPECT_EQ(run.end.status, "done");
 }
 
+TEST(Modes, AZoneMayEndWithTheDomain) {
+  const Watched run =
+      watch(small_scene("coupled", {{"grains.zone", "{x: [270 mm, 600 mm], y: [-100 mm, 100 mm]}"}, {"duration", "0.4 s"}}),
+            options_in(fresh_folder("edge")));
+  for (const WindowReport& w : run.windows) ASSERT_LE(w.mass.relative_error(), 1e-12) << "at " << w.time;
+  EXPECT_GT(run.windows.back().mass.left_domain, 0.05);
+}
+
+TEST(Modes, TwoRanksCarryACoupledRun) {
+  const Watched run =
+      watch(small_scene("coupled", {{"grains.ranks", "2"}, {"duration", "0.15 s"}}), options_in(fresh_folder("ranks")));
+  for (const WindowReport& w : run.windows) ASSERT_LE(w.mass.relative_error(), 1e-12) << "at " << w.time;
+  EXPECT_GT(run.windows.back().grains, 500);
+}
+
 TEST(Modes, TheEngineStartsWhenTheFlowIsNearAndSaysSo) {
   const Watched run = watch(small_scene("coupled"), options_in(fresh_folder("start")));
   ASSERT_EQ(run.events.size(), 1u);
@@ -46,9 +61,9 @@ TEST(Modes, GrainsKeepMassAndMomentum) {
   double left = 0, left_before = 0;
   for (const WindowReport& w : run.windows) {
     ASSERT_LE(w.mass.relative_error(), 1e-12) << "at " << w.time;
-    // A grain that has left took half a step's contact with the bed along: at most about its weight times a step.
-    const double taken_along = (left - left_before) * 9.81 * w.length / 40;
-    ASSERT_LE(std::abs(w.momentum.residual), 1e-9 * w.momentum.scale + taken_along) << "at " << w.time;
+    // Where a grain was taken out, the bed's force on it at that instant still counts for half a step.
+    const bool taken = left > left_before;
+    ASSERT_LE(std::abs(w.momentum.residual), (taken ? 1e-5 : 1e-9) * w.momentum.scale) << "at " << w.time;
     left_before = left;
     left = w.mass.left_domain;
   }
