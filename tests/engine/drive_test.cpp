@@ -98,7 +98,7 @@ TEST(Raft, ReleasedGrainsStayFreeWhenTheyComeBack) {
   EXPECT_TRUE(came_back);
 }
 
-TEST(Raft, SegmentsMoveApartAndAlong) {
+TEST(Raft, SegmentsMoveApart) {
   Folder folder;
   const EngineSetup setup = channel(folder.path, 0, 2);
   LiggghtsEngine engine;
@@ -108,11 +108,27 @@ TEST(Raft, SegmentsMoveApartAndAlong) {
   request.drives = {{{1, 0.2, 0.2, 0.0, 0, false, {}}, {1, 0.1, 0.1, 0.01, 0, false, {}}}};
   const Advanced a = engine.advance(request);
   for (std::size_t i = 0; i < a.grains.size(); ++i) {
-    const int segment = request.insert[i].segment;
-    EXPECT_EQ(a.grains.vx[i], segment == 0 ? 0.2 : 0.1);
-    EXPECT_EQ(a.grains.vy[i], segment == 0 ? 0.0 : 0.01);
+    EXPECT_EQ(a.grains.vx[i], request.insert[i].segment == 0 ? 0.2 : 0.1);
+    EXPECT_EQ(a.grains.vy[i], 0) << "a layer keeps its packing";
   }
   EXPECT_NEAR(a.segments[0][0].displacement, 2 * a.segments[0][1].displacement, 1e-15);
+}
+
+TEST(Raft, AFreedGrainTakesTheVelocityAlongTheFace) {
+  Folder folder;
+  EngineSetup setup = channel(folder.path, 0);
+  setup.gravity = {0, 0, 0};
+  LiggghtsEngine engine;
+  engine.start(setup);
+  AdvanceRequest request = steps(1);
+  request.insert = {{1, {-0.01 * d, 2 * d, 2 * d}, {0.2, 0, 0}, 0.5 * d, 0, 0}};
+  request.drives = {{{1, 0.2, 0.2, 0.03, 0, false, {}}}};
+  engine.advance(request);
+  const Advanced a = engine.advance(steps(20));
+  ASSERT_EQ(a.grains.size(), 1u);
+  EXPECT_FALSE(a.grains.driven[0]);
+  EXPECT_DOUBLE_EQ(a.grains.vx[0], 0.2);
+  EXPECT_DOUBLE_EQ(a.grains.vy[0], 0.03);
 }
 
 // Grains stand jammed between the face and a wall: a raft with a finite push must stop, one with imposed velocity would not.
