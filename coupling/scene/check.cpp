@@ -60,6 +60,16 @@ struct Checker {
     if (scene.sides[0].kind == Kind::periodic && scene.terrain.kind == TerrainSpec::Kind::chute) {
       fail("boundaries.upstream", "is periodic on a chute, whose ends have different slopes; use wall or outflow");
     }
+    if (scene.mode == Mode::continuum) return;
+    if (scene.sides[0].kind == Kind::periodic) {
+      fail("boundaries.upstream", "is periodic, which grains are across the slope only; use wall or outflow, or mode: continuum");
+    }
+    for (int k = 0; k < 4; ++k) {
+      if (scene.mode == Mode::grains && scene.sides[k].kind == Kind::inflow) {
+        fail(fmt::format("boundaries.{}", names[k]),
+             "is an inflow, which mode grains does not have; use mode coupled, or a release");
+      }
+    }
   }
 
   void release() const {

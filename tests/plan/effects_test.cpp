@@ -37,7 +37,8 @@ TEST(Effects, OfTheWall) {
   expect(s, "grain_engine", true, "mode is coupled: liggghts, grains of 4 mm, 1 rank");
   expect(s, "side_friction", false, "neither the left nor the right side is a wall");
   expect(s, "coupling", true, "mode is coupled, with an automatic zone around the obstacles");
-  EXPECT_TRUE(effect(s, "airborne").on);
+  EXPECT_FALSE(effect(s, "airborne").on);
+  EXPECT_NE(effect(s, "airborne").reason.find("flight ends at the zone's edge"), std::string::npos);
 }
 
 TEST(Effects, OfTheNullZone) {

@@ -1,5 +1,7 @@
 #include "coupling/scene/check.hpp"
 
+#include <gmock/gmock.h>
+
 #include "scene_fixture.hpp"
 
 namespace couloir {
@@ -16,6 +18,16 @@ TEST_F(Check, ObstacleInTheDomain) {
             "scene.yaml:6: obstacles.wall covers x from 1.99 m to 2.01 m and y from -50 mm to 50 mm, which reaches out of the "
             "domain (x from 0 "
             "to 2 m, y from -250 mm to 250 mm)");
+}
+
+TEST_F(Check, GrainsHaveNoInflowAndNoPeriodicSlope) {
+  const Overrides inflow = {{"boundaries.upstream", "{inflow: {depth: 20 mm, velocity: 1 m/s}}"}};
+  Overrides grains = inflow;
+  grains.push_back({"mode", "grains"});
+  EXPECT_EQ(error(good_scene, inflow), "");
+  EXPECT_THAT(error(good_scene, grains), testing::HasSubstr("boundaries.upstream is an inflow, which mode grains does not have"));
+  EXPECT_THAT(error(good_scene, {{"boundaries.upstream", "periodic"}, {"boundaries.downstream", "periodic"}, {"mode", "grains"}}),
+              testing::HasSubstr("boundaries.upstream is periodic"));
 }
 
 TEST_F(Check, ObstacleApartFromReleaseAndOthers) {
