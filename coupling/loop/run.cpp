@@ -3,6 +3,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "continuum/errors.hpp"
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/plan/build.hpp"
 
@@ -11,6 +12,15 @@ namespace {
 
 double wall_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Mass is kept to round-off, or the run is not worth going on with.
+void require_balance(const WindowReport& w) {
+  constexpr double round_off = 1e-12;
+  if (w.mass.relative_error() <= round_off) return;
+  throw NumericsError("the mass ledger does not close at t = " + std::to_string(w.time) + " s: relative error " +
+                      std::to_string(w.mass.relative_error() * 1e12) +
+                      "e-12, allowed 1e-12; this is a fault of couloir, please report it with the scene");
 }
 
 }  // namespace
@@ -64,6 +74,7 @@ RunEnd ModeRun::go() {
       report.length = clock_->window();
       window(k, report);
       for (Observer* o : observers_) o->on_window(report);
+      require_balance(report);
       if (frames.due(report.time)) show(report.time);
       if (options_.interrupted()) {
         result.status = "interrupted";
