@@ -39,6 +39,15 @@ class CommandLine(unittest.TestCase):
         for part in parts:
             self.assertIn(part, done.stderr)
 
+    def run_until_grains_start(self):
+        run = subprocess.Popen([COULOIR, "run", str(SMALL), "--out", str(self.dir / "run"), "--no-report"], stderr=subprocess.PIPE,
+                               stdout=subprocess.DEVNULL, text=True)
+        log = self.dir / "run" / "log.txt"
+        deadline = time.time() + 120
+        while time.time() < deadline and not (log.exists() and "grains start" in log.read_text()):
+            time.sleep(0.02)
+        return run
+
     def test_a_misspelt_key(self):
         scene = self.scene("basal_friction_angle", "basal_frction_angle")
         self.expect(couloir("plan", scene), 2, "scene.yaml:9", "basal_frction_angle", "did you mean 'basal_friction_angle'?")
@@ -77,12 +86,7 @@ class CommandLine(unittest.TestCase):
         self.expect(couloir("report", self.dir), 2, "is not a run folder")
 
     def test_a_killed_worker_ends_with_4_and_the_state_named(self):
-        run = subprocess.Popen([COULOIR, "run", str(SMALL), "--out", str(self.dir / "run"), "--no-report"], stderr=subprocess.PIPE,
-                               stdout=subprocess.DEVNULL, text=True)
-        log = self.dir / "run" / "log.txt"
-        deadline = time.time() + 120
-        while time.time() < deadline and not (log.exists() and "grains start" in log.read_text()):
-            time.sleep(0.02)
+        run = self.run_until_grains_start()
         children = pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()
         self.assertEqual(len(children), 1)
         os.kill(int(children[0]), signal.SIGKILL)
@@ -95,12 +99,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(summary["status"], "failed")
 
     def test_ctrl_c_saves_and_says_where(self):
-        run = subprocess.Popen([COULOIR, "run", str(SMALL), "--out", str(self.dir / "run"), "--no-report"], stderr=subprocess.PIPE,
-                               stdout=subprocess.DEVNULL, text=True)
-        log = self.dir / "run" / "log.txt"
-        deadline = time.time() + 120
-        while time.time() < deadline and not (log.exists() and "grains start" in log.read_text()):
-            time.sleep(0.02)
+        run = self.run_until_grains_start()
         run.send_signal(signal.SIGINT)
         _, errors = run.communicate(timeout=60)
         self.assertEqual(run.returncode, 3, errors)
