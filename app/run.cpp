@@ -13,6 +13,7 @@
 #include "app/scene_options.hpp"
 #include "app/verbs.hpp"
 #include "coupling/engine/liggghts_engine.hpp"
+#include "coupling/plan/limits.hpp"
 #include "coupling/records/console.hpp"
 #include "coupling/records/forces_csv.hpp"
 #include "coupling/records/records.hpp"
@@ -49,6 +50,7 @@ void print_result(const RunFolder& folder, const nlohmann::json& summary, const 
 
 int run(const RunVerb& verb) {
   const Scene scene = verb.scene.read();
+  check_memory(scene, make_plan(scene));
   const std::string text = write_scene(scene);
   const RunFolder folder = RunFolder::create(scene, verb.out, text);
   const std::string work = folder.file("engine");

@@ -160,7 +160,7 @@ double stable_timestep(double radius, double density, double youngs_modulus, dou
 }
 
 Packing settled_packing(const PackingSpec& spec, GrainEngine& engine, const std::string& cache, const std::string& work_dir,
-                        const std::function<void(double)>& progress) {
+                        const std::function<void(double)>& progress, const std::function<void(const std::string&)>& say) {
   if (std::optional<Packing> kept = read_packing(spec, cache)) return *kept;
   double top = 0;
   const std::vector<NewGrain> loose = loose_grains(spec, top);
@@ -181,7 +181,9 @@ Packing settled_packing(const PackingSpec& spec, GrainEngine& engine, const std:
     throw EngineError(fmt::format("a packing came out {:.3g} m deep where {:.3g} m were asked for", packing.depth, spec.depth));
   }
   packing.solid_fraction = solid_fraction(packing, spec.diameter, packing.depth - 2 * spec.diameter);
-  write_packing(spec, packing, cache);
+  if (!write_packing(spec, packing, cache) && say)
+    say(fmt::format("the settled packing could not be kept in {} (read-only, or a full disk): the next run settles it again",
+                    cache));
   return packing;
 }
 

@@ -27,9 +27,11 @@ struct Packing {
   std::vector<Grain> grains;                // sorted by x, then id
 };
 
-// Settles a block with the engine, or reads it from `cache` (a folder) where a block of exactly this spec is kept.
+// Settles a block with the engine, or reads it from `cache` (a folder) where a block of exactly this spec is kept. A cache that
+// cannot be written costs only time, and is said.
 Packing settled_packing(const PackingSpec&, GrainEngine&, const std::string& cache, const std::string& work_dir,
-                        const std::function<void(double done)>& progress = {});
+                        const std::function<void(double done)>& progress = {},
+                        const std::function<void(const std::string&)>& say = {});
 
 // Share of the Rayleigh time that resolves the asked restitution: 0.16 (measured: 30 % misses it).
 double stable_timestep(double radius, double density, double youngs_modulus, double poisson_ratio);

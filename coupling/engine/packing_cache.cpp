@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "coupling/engine/engine_error.hpp"
-
 namespace couloir {
 
 namespace {
@@ -49,7 +47,7 @@ std::optional<Packing> read_packing(const PackingSpec& spec, const std::string& 
   return packing;
 }
 
-void write_packing(const PackingSpec& spec, const Packing& packing, const std::string& cache) {
+bool write_packing(const PackingSpec& spec, const Packing& packing, const std::string& cache) {
   std::error_code error;
   std::filesystem::create_directories(cache, error);
   const std::string file = packing_file(spec, cache), part = fmt::format("{}.{}.part", file, getpid());
@@ -61,8 +59,9 @@ void write_packing(const PackingSpec& spec, const Packing& packing, const std::s
   for (const Packing::Grain& g : packing.grains) out << fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", g.x, g.y, g.z, g.r);
   out.close();
   if (out) std::filesystem::rename(part, file, error);
-  if (!out || error)
-    throw EngineError(fmt::format("the settled packing {} cannot be written: is the folder writable, the disk full?", file));
+  if (out && !error) return true;
+  std::filesystem::remove(part, error);
+  return false;
 }
 
 }  // namespace couloir

@@ -17,7 +17,7 @@ std::string packing_file(const PackingSpec&, const std::string& cache);
 // Nothing where the file is missing, of another spec, or damaged: it is made again then.
 std::optional<Packing> read_packing(const PackingSpec&, const std::string& cache);
 
-// Under another name first, so that a reader never sees half a file. Throws EngineError.
-void write_packing(const PackingSpec&, const Packing&, const std::string& cache);
+// Under another name first, so that a reader never sees half a file. False: the folder cannot be written.
+bool write_packing(const PackingSpec&, const Packing&, const std::string& cache);
 
 }  // namespace couloir

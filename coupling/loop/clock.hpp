@@ -1,6 +1,7 @@
 #pragma once
-// Coupling time, counted in integers: a window is a whole number of engine steps, seconds are derived.
+// Coupling time, counted in integers: a window is a whole number of steps, seconds are derived.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -8,21 +9,34 @@ namespace couloir {
 
 class Clock {
  public:
-  // step [s]; steps in a window; the run ends with the window that reaches duration [s].
-  Clock(double step, std::int64_t steps_per_window, double duration)
-      : step_(step),
-        per_window_(steps_per_window),
-        windows_(std::int64_t(std::ceil(duration / (step * double(steps_per_window)) - 1e-9))) {}
+  // Of an engine: steps of `step` [s], `per_window` to a window; the last window is shorter and ends with the step that reaches
+  // `duration` [s].
+  Clock(double step, std::int64_t per_window, double duration)
+      : step_(step), per_window_(per_window), steps_(std::int64_t(std::ceil(duration / step - 1e-9))) {
+    end_ = step * double(steps_);
+  }
 
-  std::int64_t windows() const { return windows_; }
-  std::int64_t steps_per_window() const { return per_window_; }
-  double step() const { return step_; }
-  double window() const { return step_ * double(per_window_); }                            // [s]
-  double time(std::int64_t window) const { return step_ * double(per_window_ * window); }  // [s] at the end of a window, 1-based
+  // Without an engine: windows of `interval` [s], the last one ends at `duration`.
+  static Clock of_intervals(double interval, double duration) {
+    Clock clock(interval, 1, duration);
+    clock.end_ = duration;
+    return clock;
+  }
+
+  std::int64_t windows() const { return (steps_ + per_window_ - 1) / per_window_; }
+  // Windows count from 1; 0 is the start.
+  std::int64_t steps(std::int64_t window) const { return std::min(per_window_ * window, steps_) - per_window_ * (window - 1); }
+  double time(std::int64_t window) const {  // [s] at its end
+    return window < windows() ? step_ * double(per_window_ * window) : end_;
+  }
+  double length(std::int64_t window) const {  // [s]
+    return window < windows() ? step_ * double(per_window_) : end_ - step_ * double(per_window_ * (window - 1));
+  }
 
  private:
   double step_;
-  std::int64_t per_window_, windows_;
+  std::int64_t per_window_, steps_;
+  double end_;
 };
 
 // Due whenever `interval` more seconds have passed; counted in integers, so that it does not drift.

@@ -17,7 +17,7 @@ class ContinuumRun : public ModeRun {
  private:
   RunStart start() override {
     flow_ = std::make_unique<FlowSide>(scene_, surface_, options_.threads);
-    clock_ = std::make_unique<Clock>(scene_.record.forces, 1, scene_.duration);
+    clock_ = std::make_unique<Clock>(Clock::of_intervals(scene_.record.forces, scene_.duration));
     RunStart begin;
     begin.scene = &scene_;
     begin.surface = &surface_;

@@ -28,7 +28,8 @@ class CoupledRun : public ModeRun {
     double deepest = 0;
     for (int j = 0; j < grid.ny; ++j)
       for (int i = 0; i < grid.nx; ++i) deepest = std::max(deepest, flow_->solver().at(i, j).h);
-    grains_ = std::make_unique<GrainSide>(scene_, options_, surface_, deepest);
+    grains_ =
+        std::make_unique<GrainSide>(scene_, options_, surface_, deepest, [this](const std::string& what) { tell(0, what); });
     clock_ = std::make_unique<Clock>(grains_->timestep(), scene_.grains.window, scene_.duration);
     place_zone(grid);
 
@@ -60,8 +61,6 @@ class CoupledRun : public ModeRun {
     edge_ =
         std::make_unique<DomainEdge>(open, scene_.terrain.total_length(), scene_.terrain.width, grains_->table().grain_density());
     settings_.rim.diameter = scene_.grains.diameter;
-    settings_.window = clock_->window();
-    settings_.steps = clock_->steps_per_window();
     settings_.gravity = scene_.gravity;
     settings_.periodic_y =
         scene_.sides[2].kind == SideSpec::Kind::periodic && settings_.box.j0 == 0 && settings_.box.j1 == grid.ny;
@@ -71,7 +70,7 @@ class CoupledRun : public ModeRun {
   bool flow_is_near() const {
     Solver& solver = flow_->solver();
     const Grid& grid = solver.grid();
-    const double reach = 2 * clock_->window() * solver.max_speed();
+    const double reach = 2 * clock_->length(1) * solver.max_speed();
     const int mx = 2 + int(reach / grid.dx), my = 2 + int(reach / grid.dy);
     const CellBox& b = settings_.box;
     for (int j = std::max(0, b.j0 - my); j < std::min(grid.ny, b.j1 + my); ++j)
@@ -94,11 +93,12 @@ class CoupledRun : public ModeRun {
                      box_.x0, box_.x1, box_.y0, box_.y1, first_.size(), (before - flow_->solver().volume()) * flow_->density()));
   }
 
-  void window(std::int64_t, WindowReport& w) override {
+  void window(std::int64_t index, WindowReport& w) override {
     if (!zone_ && flow_is_near()) start_engine(w.time - w.length);
     double mass_before = 0;
     if (zone_) {
       mass_before = grain_mass_;
+      zone_->begin_window(clock_->steps(index), w.length);
       zone_->impose(flow_->solver());
     }
     flow_->advance_to(w.time);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/plan/build.hpp"
+
 namespace couloir {
 namespace {
 
@@ -109,18 +111,12 @@ PackingSpec packing_spec(const Scene& s, double depth) {
   spec.restitution = m.restitution;
   spec.youngs_modulus = m.youngs_modulus;
   spec.poisson_ratio = m.poisson_ratio;
-  spec.density = s.material.density / 0.57;
+  spec.density = expected_grain_density(s);
   return spec;
 }
 
 double grain_density(const Scene& s, const Packing& packing) {
   return s.material.density / packing.solid_fraction;
-}
-
-double engine_timestep(const Scene& s, double density) {
-  if (s.grains.timestep > 0) return s.grains.timestep;
-  const double least_radius = 0.5 * s.grains.diameter * (1 - s.grains.spread);
-  return stable_timestep(least_radius, density, s.material.grain.youngs_modulus, s.material.grain.poisson_ratio);
 }
 
 EngineSetup engine_setup_whole(const Scene& s, const ReferenceSurface& surface, double density, const std::string& work_dir) {

@@ -15,9 +15,6 @@ PackingSpec packing_spec(const Scene&, double depth);
 // rho_bulk / solid fraction, so that both models weigh the same [kg/m3].
 double grain_density(const Scene&, const Packing&);
 
-// [s] grains.timestep, or the stable share of the Rayleigh time.
-double engine_timestep(const Scene&, double grain_density);
-
 // Whole chute: every side of the domain that is open is extended, so that grains pass it before they are taken out.
 EngineSetup engine_setup_whole(const Scene&, const ReferenceSurface&, double grain_density, const std::string& work_dir);
 

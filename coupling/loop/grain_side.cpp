@@ -3,13 +3,15 @@
 #include <cmath>
 
 #include "coupling/engine/liggghts_engine.hpp"
+#include "coupling/plan/build.hpp"
 
 namespace couloir {
 
-GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const ReferenceSurface& surface, double depth)
+GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const ReferenceSurface& surface, double depth,
+                     const std::function<void(const std::string&)>& say)
     : scene_(scene), options_(options), surface_(surface) {
   LiggghtsEngine settling(options.worker);
-  const Packing packing = settled_packing(packing_spec(scene, depth), settling, options.packings, options.work_dir);
+  const Packing packing = settled_packing(packing_spec(scene, depth), settling, options.packings, options.work_dir, {}, say);
   table_ = std::make_unique<PackingTable>(packing, grain_density(scene, packing));
   timestep_ = engine_timestep(scene, table_->grain_density());
   surface_of_obstacle_.assign(scene.obstacles.size(), -1);

@@ -13,8 +13,9 @@ namespace couloir {
 
 class GrainSide {
  public:
-  // Settles or fetches the packing for flows up to `depth` [m] deep.
-  GrainSide(const Scene&, const RunOptions&, const ReferenceSurface&, double depth);
+  // Settles or fetches the packing for flows up to `depth` [m] deep; `say`: what the user should know of it.
+  GrainSide(const Scene&, const RunOptions&, const ReferenceSurface&, double depth,
+            const std::function<void(const std::string&)>& say);
   ~GrainSide();
 
   const PackingTable& table() const { return *table_; }

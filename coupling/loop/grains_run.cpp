@@ -25,7 +25,7 @@ class GrainsRun : public ModeRun {
     for (double x = 0; x <= length; x += d)
       for (double y = -half; y <= half; y += d) deepest = std::max(deepest, release_at(scene_, x, y).h);
 
-    side_ = std::make_unique<GrainSide>(scene_, options_, surface_, deepest);
+    side_ = std::make_unique<GrainSide>(scene_, options_, surface_, deepest, [this](const std::string& what) { tell(0, what); });
     side_->start(engine_setup_whole(scene_, surface_, side_->table().grain_density(), options_.work_dir));
     clock_ = std::make_unique<Clock>(side_->timestep(), scene_.grains.window, scene_.duration);
     grid_ = solver_settings(scene_).grid;
@@ -42,7 +42,6 @@ class GrainsRun : public ModeRun {
       momentum_before_ += m * g.velocity[0];
     }
     inserted_ = long(request_.insert.size());
-    request_.steps = scene_.grains.window;
 
     using Kind = SideSpec::Kind;
     std::array<bool, 4> open{};
@@ -58,7 +57,8 @@ class GrainsRun : public ModeRun {
     return begin;
   }
 
-  void window(std::int64_t, WindowReport& w) override {
+  void window(std::int64_t index, WindowReport& w) override {
+    request_.steps = clock_->steps(index);
     const Advanced& a = side_->advance(request_);
     cpu_engine_ = side_->cpu();
     request_.insert.clear();

@@ -24,8 +24,8 @@ class ModeRun {
   virtual void save() = 0;  // into work_dir, after an interrupt or an error
   virtual void finish(RunEnd&) = 0;
 
-  void tell(const Event&) const;
-  void tell(double time, std::string what) const { tell(Event{time, std::move(what)}); }
+  void tell(const Event&);  // what comes before the start is told right after it
+  void tell(double time, std::string what) { tell(Event{time, std::move(what)}); }
 
   const Scene& scene_;
   const RunOptions& options_;
@@ -36,6 +36,8 @@ class ModeRun {
  private:
   void end(RunEnd&, double wall_start, double cpu_start);
   const std::vector<Observer*>& observers_;
+  std::vector<Event> early_;
+  bool started_ = false;
 };
 
 std::unique_ptr<ModeRun> continuum_run(const Scene&, const RunOptions&, const std::vector<Observer*>&);

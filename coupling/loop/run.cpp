@@ -34,7 +34,8 @@ double cpu_now() {
 ModeRun::ModeRun(const Scene& scene, const RunOptions& options, const std::vector<Observer*>& observers)
     : scene_(scene), options_(options), surface_(reference_surface(scene)), observers_(observers) {}
 
-void ModeRun::tell(const Event& event) const {
+void ModeRun::tell(const Event& event) {
+  if (!started_) return early_.push_back(event);
   for (Observer* o : observers_) o->on_event(event);
 }
 
@@ -51,11 +52,11 @@ void ModeRun::end(RunEnd& end, double wall_start, double cpu_start) {
 RunEnd ModeRun::go() {
   const double wall_start = wall_now(), cpu_start = cpu_now();
   RunEnd result;
-  bool started = false;
   try {
     const RunStart begin = start();
     for (Observer* o : observers_) o->on_start(begin);
-    started = true;
+    started_ = true;
+    for (const Event& event : early_) tell(event);
     Schedule frames(scene_.record.frames);
     long frame_index = 0;
     const auto show = [&](double time) {
@@ -71,7 +72,7 @@ RunEnd ModeRun::go() {
       WindowReport report;
       report.index = long(k);
       report.time = clock_->time(k);
-      report.length = clock_->window();
+      report.length = clock_->length(k);
       window(k, report);
       for (Observer* o : observers_) o->on_window(report);
       require_balance(report);
@@ -86,9 +87,10 @@ RunEnd ModeRun::go() {
     end(result, wall_start, cpu_start);
     return result;
   } catch (const std::exception& error) {
-    if (started) {
+    if (started_) {
       result.status = "failed";
-      result.reason = error.what();
+      const std::string what = error.what();
+      result.reason = what.substr(0, what.find('\n'));  // the log's tail that may follow is in the run's folder
       try {
         save();
         end(result, wall_start, cpu_start);

@@ -111,11 +111,18 @@ CellBox cells_in(const ZoneBox& box, const Grid& grid) {
           first(box.y0, grid.y0, grid.dy, grid.ny), first(box.y1, grid.y0, grid.dy, grid.ny)};
 }
 
-double engine_timestep(const Scene& scene) {
-  if (scene.grains.timestep > 0) return scene.grains.timestep;
+double expected_grain_density(const Scene& scene) {
+  return scene.material.density / expected_solid_fraction;
+}
+
+double stable_timestep(const Scene& scene, double grain_density) {
   const GrainMaterial& grain = scene.material.grain;
   const double radius = scene.grains.diameter / 2 * (1 - scene.grains.spread);
-  return stable_timestep(radius, scene.material.density / expected_solid_fraction, grain.youngs_modulus, grain.poisson_ratio);
+  return stable_timestep(radius, grain_density, grain.youngs_modulus, grain.poisson_ratio);
+}
+
+double engine_timestep(const Scene& scene, double grain_density) {
+  return scene.grains.timestep > 0 ? scene.grains.timestep : stable_timestep(scene, grain_density);
 }
 
 double mean_grain_volume(const GrainSpec& grains) {

@@ -21,8 +21,11 @@ CellBox cells_in(const ZoneBox&, const Grid&);
 // Of a settled block on a flat base; measured values lie at .563-.579. The real packing's own value replaces it in a run.
 inline constexpr double expected_solid_fraction = 0.57;
 
-// [s] the scene's, or where it gives none the engine's stable step for its smallest grain.
-double engine_timestep(const Scene&);
+double expected_grain_density(const Scene&);  // [kg/m3]
+
+// [s] the engine's stable step for the scene's smallest grain; the scene's own step, or where it gives none the stable one.
+double stable_timestep(const Scene&, double grain_density);
+double engine_timestep(const Scene&, double grain_density);
 
 // [m3] mean volume of a grain: radii uniform within +-spread of the mean.
 double mean_grain_volume(const GrainSpec&);

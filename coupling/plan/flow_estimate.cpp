@@ -57,7 +57,6 @@ std::vector<FlowEstimate> flow_estimate(const Scene& scene) {
     if (u + next <= 1e-9) break;
     time += 2 * step / (u + next);
     u = next;
-    if (time > scene.duration) break;
   }
   return line;
 }

@@ -15,8 +15,8 @@ struct FlowEstimate {
   double froude = 0;    // u / sqrt(g cos(zeta) h)
 };
 
-// Stations from the middle of the release (uniform: the upper edge) down the terrain, as far as the flow gets in the scene's
-// duration:
+// Stations from the middle of the release (uniform: the upper edge) down the terrain, as far as the flow gets, however long that
+// takes:
 //   d(u^2)/dx = 2 g (sin(zeta) - tan(delta) cos(zeta)).
 // A finite mass spreads on both axes with sqrt(g cos(zeta) h0); a fed flow keeps h u. Good to a factor of two in depth: for
 // planning only.

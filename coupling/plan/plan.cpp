@@ -7,6 +7,7 @@
 
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/effects.hpp"
+#include "coupling/plan/limits.hpp"
 #include "coupling/plan/release.hpp"
 #include "coupling/scene/release_shape.hpp"
 #include "coupling/scene/units.hpp"
@@ -33,6 +34,7 @@ double least_step(const Scene& scene, const Grid& grid) {
   const double most_k = std::max({1.0, k.x_active, k.x_passive, k.y_passive_passive, k.y_passive_active});
   double fastest = 0;
   for (const FlowEstimate& f : flow_estimate(scene)) {
+    if (f.time > scene.duration) break;
     fastest = std::max(fastest, std::abs(f.velocity) + std::sqrt(most_k * scene.gravity * f.depth));
   }
   return scene.continuum.cfl * std::min(grid.dx, grid.dy) / fastest;
@@ -45,8 +47,13 @@ double wet_share(const Scene& scene) {
   return std::min(1.0, 6 * (f.x1 - f.x0) * (f.y1 - f.y0) / (scene.terrain.total_length() * scene.terrain.width));
 }
 
+// Counts beyond all bounds stay countable.
+std::int64_t whole(double count) {
+  return static_cast<std::int64_t>(std::ceil(std::min(count, 1e18)));
+}
+
 std::int64_t grains_in(const Scene& scene, double volume) {
-  return std::llround(volume * expected_solid_fraction / mean_grain_volume(scene.grains));
+  return whole(volume * expected_solid_fraction / mean_grain_volume(scene.grains));
 }
 
 double volume_of_all_grains(const Scene& scene) {
@@ -72,8 +79,25 @@ double volume_in_zone(const Scene& scene, const ZoneBox& zone, const FlowEstimat
   return fed(scene) ? volume : std::min(volume, release_volume(scene));
 }
 
+// An obstacle that the flow will not meet is seldom meant.
+void warn_of_absence(const Plan& plan, const Scene& scene, const auto& say) {
+  if (scene.obstacles.empty()) return;
+  const ObstacleSpec& first = *std::ranges::min_element(scene.obstacles, {}, &ObstacleSpec::x);
+  const auto line = flow_estimate(scene);
+  const double station = line.size() > 1 ? line[1].x - line[0].x : 0;
+  if (line.back().x + 2 * station < first.x) {
+    say(fmt::format("The middle of the flow is expected to stop {} before {}.", len(first.x - line.back().x), first.name));
+  } else if (plan.at_obstacle.time > scene.duration) {
+    say(fmt::format("The middle of the flow is expected at {} after {:.3g} s, later than the run ends.", first.name,
+                    plan.at_obstacle.time));
+  }
+}
+
 void warn(Plan& plan, const Scene& scene) {
   const auto say = [&](std::string text) { plan.warnings.push_back(std::move(text)); };
+  warn_of_absence(plan, scene, say);
+  if (plan.memory > machine_memory())
+    say(fmt::format("This machine has {:.3g} GB: the run would be refused.", machine_memory() * 1e-9));
   if (scene.mode == Mode::continuum) return;
   const double d = scene.grains.diameter, tan_delta = std::tan(scene.material.delta), mu = scene.material.grain.base_friction;
   if (scene.mode == Mode::coupled && std::abs(mu - tan_delta) > 0.02) {
@@ -127,7 +151,7 @@ Plan make_plan(const Scene& scene) {
     plan.grid = grid_of(scene);
     plan.cells = static_cast<std::int64_t>(plan.grid.nx) * plan.grid.ny;
     plan.dt = least_step(scene, plan.grid);
-    plan.steps = static_cast<std::int64_t>(std::ceil(scene.duration / plan.dt));
+    plan.steps = whole(scene.duration / plan.dt);
     plan.memory += bytes_per_cell * static_cast<double>(plan.cells);
     plan.time_continuum =
         2.0 * static_cast<double>(plan.steps) * static_cast<double>(plan.cells) * wet_share(scene) / cell_updates_per_second;
@@ -145,15 +169,16 @@ Plan make_plan(const Scene& scene) {
 
   if (scene.mode != Mode::continuum) {
     const auto count = static_cast<double>(plan.grains[static_cast<std::size_t>(scene.mode)]);
-    plan.engine_dt = engine_timestep(scene);
+    plan.engine_dt = engine_timestep(scene, expected_grain_density(scene));
     // Coupled: no engine before the flow nears the zone.
     const double idle = plan.zone && !fed(scene) ? flow_estimate_at(scene, plan.zone->box.x0).time / 2 : 0;
-    plan.engine_steps = static_cast<std::int64_t>(std::ceil(std::max(0.0, scene.duration - idle) / plan.engine_dt));
+    plan.engine_steps = whole(std::max(0.0, scene.duration - idle) / plan.engine_dt);
     plan.memory += bytes_of_engine * scene.grains.ranks + bytes_per_grain * count;
     plan.time_engine = count * static_cast<double>(plan.engine_steps) /
                        (particle_steps_per_second * std::pow(scene.grains.ranks, rank_exponent));
   }
   plan.time = plan.time_continuum + plan.time_engine;
+  check_limits(scene, plan);
   warn(plan, scene);
   return plan;
 }

@@ -36,7 +36,7 @@ struct Plan {
   std::vector<std::string> warnings;           // whole sentences
 };
 
-// The scene must have passed check_scene.
+// The scene must have passed check_scene. Throws SceneError where it asks too much of the engine (limits.hpp).
 Plan make_plan(const Scene&);
 
 std::string plan_text(const Plan&);

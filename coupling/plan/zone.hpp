@@ -16,9 +16,9 @@ struct PlannedZone {
 
 // Around all obstacles, on cell lines, cut off at the domain:
 //
-//         |<---- before ---->|##|<- behind ->|     before = max(2.5 H, 30 d, 10 h; 15 h where Fr < 2: a weak jump runs far)
-//         |                  |##|            |     beside = max(0.5 H, 12 d, 4 h)
-//         x0             obstacle            x1    behind = max(0.5 H, 10 d)
+//         |<---- before ---->|##|<- behind ->|     before = max(2 H, 30 d, 10 h; 15 h where Fr < 2: a weak jump runs far)
+//         |                  |##|            |     beside = max(0.3 H, 8 d, 4 h)
+//         x0             obstacle            x1    behind = max(0.25 H, 5 d)
 //
 // H obstacle height, d grain diameter, h and Fr of the flow that is expected there (flow_estimate.hpp). It does not reach into a
 // finite release while that leaves 10 d. A side closer to the domain's than 6 d moves onto it. Needs an obstacle: throws

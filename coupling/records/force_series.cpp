@@ -23,21 +23,21 @@ double ForceSeries::impulse_at(double time) const {
 ForceFigures ForceSeries::figures() const {
   ForceFigures out;
   if (end_.empty()) return out;
-  const double last = end_.back();
+  const double last = end_.back(), span = contact_ >= 0 ? std::min(kPeakSpan, last - contact_) : kPeakSpan;
   const auto look = [&](double t) {
-    const double mean = (impulse_at(t) - impulse_at(t - kPeakSpan)) / kPeakSpan;
+    const double mean = (impulse_at(t) - impulse_at(t - span)) / span;
     if (std::abs(mean) > std::abs(out.peak)) out.peak = mean, out.peak_time = t;
   };
   for (std::size_t k = 0; k < end_.size(); ++k) {
     look(end_[k]);
-    if (end_[k] + kPeakSpan < last) look(end_[k] + kPeakSpan);
+    if (end_[k] + span < last) look(end_[k] + span);
     if (std::abs(force_[k]) > std::abs(out.peak_window)) out.peak_window = force_[k];
   }
   out.impulse = impulse_.back();
   out.first_contact = contact_;
   if (contact_ >= 0 && last > contact_) out.mean = (out.impulse - impulse_at(contact_)) / (last - contact_);
-  const double span = std::min(kFinalSpan, last - begin_.front());
-  if (span > 0) out.final = (out.impulse - impulse_at(last - span)) / span;
+  const double tail = std::min(kFinalSpan, last - begin_.front());
+  if (tail > 0) out.final = (out.impulse - impulse_at(last - tail)) / tail;
   return out;
 }
 

@@ -6,7 +6,8 @@ namespace couloir {
 
 // What a force history is reduced to. All of them are of one component: f(t), constant in each window.
 struct ForceFigures {
-  double peak = 0;            // [N] the 15 ms running mean of f where it is largest in magnitude, with its sign
+  double peak = 0;            // [N] the 15 ms running mean of f where it is largest in magnitude, with its sign; a contact
+                              // shorter than that is averaged over its own length
   double peak_time = 0;       // [s] end of those 15 ms
   double peak_window = 0;     // [N] the single window's mean that is largest in magnitude: noisier, falls with longer windows
   double mean = 0;            // [N] from the first contact to the end

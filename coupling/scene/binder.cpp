@@ -42,7 +42,7 @@ std::string wanted(const Key& key) {
 
 class Binder {
  public:
-  Binder(Scene& scene, Places& places) : scene_(scene), places_(places) {}
+  explicit Binder(Scene& scene) : scene_(scene) {}
 
   // One mapping; `pattern` is its path in the schema, `path` as the user wrote it.
   void mapping(const Node& node, const std::string& pattern, const std::string& path, int index) {
@@ -56,7 +56,7 @@ class Binder {
         continue;
       }
       if (entry) {
-        places_.note(full, entry->place);
+        scene_.places.note(full, entry->place);
         value(*entry, *key, full, index);
       } else if (key->presence == Presence::required) {
         throw SceneError(fmt::format("{}: {} is missing: {}; give {}", node.place, full, key->help, wanted(*key)));
@@ -214,32 +214,22 @@ class Binder {
       refuse_bad_name(name, entry, path);
       if (entry.kind != Node::Kind::mapping) fail(entry, path, fmt::format("is {}, but must be a mapping", describe(entry)));
       scene_.obstacles.emplace_back().name = name;
-      places_.note(path, entry.place);
+      scene_.places.note(path, entry.place);
       mapping(entry, key.path + ".*", path, static_cast<int>(scene_.obstacles.size()) - 1);
     }
   }
 
   Scene& scene_;
-  Places& places_;
   double scale_length_ = 0;
 };
 
 }  // namespace
 
-const std::string& Places::of(std::string key) const {
-  while (true) {
-    if (const auto found = places_.find(key); found != places_.end()) return found->second;
-    const auto dot = key.rfind('.');
-    if (dot == std::string::npos) return file_;
-    key.resize(dot);
-  }
-}
-
-void bind(const Node& document, Scene& scene, Places& places) {
+void bind(const Node& document, Scene& scene) {
   if (document.kind != Node::Kind::mapping) {
     throw SceneError(fmt::format("{}: a scene is a mapping of keys, but this is {}", document.place, describe(document)));
   }
-  Binder(scene, places).mapping(document, "", "", 0);
+  Binder(scene).mapping(document, "", "", 0);
 }
 
 }  // namespace couloir

@@ -23,11 +23,10 @@ std::string len(double value) {
 
 struct Checker {
   const Scene& scene;
-  const Places& places;
 
   template <class... Args>
   [[noreturn]] void fail(const std::string& key, fmt::format_string<Args...> text, Args&&... args) const {
-    throw SceneError(fmt::format("{}: {} {}", places.of(key), key, fmt::format(text, std::forward<Args>(args)...)));
+    throw SceneError(fmt::format("{}: {} {}", scene.places.of(key), key, fmt::format(text, std::forward<Args>(args)...)));
   }
 
   bool continuum() const { return scene.mode != Mode::grains; }
@@ -234,8 +233,8 @@ struct Checker {
 
 }  // namespace
 
-void check_scene(const Scene& scene, const Places& places) {
-  const Checker check{scene, places};
+void check_scene(const Scene& scene) {
+  const Checker check{scene};
   check.material();
   check.sides();
   check.release();

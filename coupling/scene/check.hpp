@@ -1,12 +1,11 @@
 #pragma once
 // The scene as a whole: do its parts fit each other?
 
-#include "coupling/scene/binder.hpp"
 #include "coupling/scene/scene.hpp"
 
 namespace couloir {
 
 // Throws SceneError naming place, key and remedy for the first thing that does not fit.
-void check_scene(const Scene&, const Places& = Places());
+void check_scene(const Scene&);
 
 }  // namespace couloir

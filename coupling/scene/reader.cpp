@@ -86,14 +86,15 @@ Scene read_scene(const std::string& path, const std::string& materials, const Ov
   scene.text = read_document_text(file);
 
   Node document = parse_document(scene.text, file);
+  if (document.kind != Node::Kind::mapping) bind(document, scene);  // says what it is instead
   for (const auto& [key, text] : overrides) apply_override(document, key, text, materials);
   for (auto& [name, entry] : document.entries) {
     if (name == "material") expand_material(entry, materials);
   }
 
-  Places places(file);
-  bind(document, scene, places);
-  check_scene(scene, places);
+  scene.places = Places(file);
+  bind(document, scene);
+  check_scene(scene);
   return scene;
 }
 

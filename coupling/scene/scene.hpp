@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/scene/places.hpp"
+
 namespace couloir {
 
 enum class Mode { continuum, coupled, grains };
@@ -97,6 +99,7 @@ struct Scene {
   std::string title;
   std::string file;  // as given on the command line
   std::string text;  // the file's own text
+  Places places;
   Mode mode = Mode::coupled;
   double gravity = 9.81;  // [m/s2]
   TerrainSpec terrain;

@@ -125,7 +125,7 @@ void add_release(Keys& k) {
             .above(0)
             .required()
             .when("kind", {"cap", "block", "uniform"}));
-  k.add(number("release.velocity", velocity, "downslope, at the start", COULOIR_AT(release.velocity)));
+  k.add(number("release.velocity", velocity, "downslope, at the start", COULOIR_AT(release.velocity)).within(-1000, 1000));
   k.add(number("release.mass", mass, "the depth is scaled to hold it; missing: what the geometry holds", COULOIR_AT(release.mass))
             .above(0)
             .optional()
@@ -176,6 +176,7 @@ void add_boundaries(Keys& k) {
     k.add(number(
               path + ".inflow.velocity", velocity, "inward", [=](auto& s, int) -> auto& { return s.sides[side].velocity; })
               .above(0)
+              .upto(1000)
               .required());
   }
 }

@@ -152,7 +152,7 @@ void Zone::impose(Solver& solver) {
       imposed_[f][k] = inward;
       // Parcels: mass and momentum that leave the zone, over the window, per unit width.
       const Parcel& parcel = handback_.pending()[f][k];
-      const double per = 1 / (table_->bulk_density() * face.cell_width * settings_.window);
+      const double per = 1 / (table_->bulk_density() * face.cell_width * window_);
       FaceFlux flux;
       const double s = face.sign();
       flux.mass = s * inward - s * per * parcel.mass;
@@ -173,7 +173,7 @@ void Zone::impose(Solver& solver) {
 AdvanceRequest Zone::request(Solver& solver) {
   look_outside(solver);
   AdvanceRequest request;
-  request.steps = settings_.steps;
+  request.steps = steps_;
   request.remove = remove_;
   remove_.clear();
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
@@ -186,7 +186,7 @@ AdvanceRequest Zone::request(Solver& solver) {
       // What passed is split into what the rafts asked for and what was handed back; a shortfall is the rafts'.
       Parcel& parcel = handback_.pending()[f][k];
       const double inward = face.sign() * solver.passed(face.side, k).mass * face.cell_width * table_->bulk_density();
-      const double drawn = imposed_[f][k] * settings_.window * face.cell_width * table_->bulk_density();
+      const double drawn = imposed_[f][k] * window_ * face.cell_width * table_->bulk_density();
       double to_conveyor = inward + parcel.mass;
       if (drawn <= 0) {  // no raft here: a shortfall stays in the parcel and is taken later
         parcel.mass = to_conveyor;
@@ -301,7 +301,7 @@ void Zone::absorb(const Advanced& advanced, Solver& solver) {
     for (int s = 0; s < rim_.faces()[f].segments; ++s) {
       Segment& segment = segments_[f][s];
       segment.displacement = advanced.segments[f][s].displacement;
-      segment.rate = segment.displacement / settings_.window;
+      segment.rate = segment.displacement / window_;
       segment.raft = advanced.segments[f][s].velocity;
       outside.back().push_back({segment.inflow, segment.fast_outflow ? rim_.short_buffer() : rim_.buffer()});
       if (!segment.inflow && advanced.segments[f][s].mass > 0) settle_departed(f, s, g);

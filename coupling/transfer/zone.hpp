@@ -22,9 +22,7 @@ namespace couloir {
 struct ZoneSettings {
   CellBox box;
   RimSettings rim;
-  double window = 0;       // [s]
-  std::int64_t steps = 0;  // engine steps in a window
-  double gravity = 9.81;   // [m/s2]
+  double gravity = 9.81;  // [m/s2]
   bool periodic_y = false;
 };
 
@@ -36,6 +34,8 @@ class Zone {
   // Returns the grains to insert before the first window.
   std::vector<NewGrain> take_over(Solver&);
 
+  // The window that begins: engine steps, and their length [s].
+  void begin_window(std::int64_t steps, double length) { steps_ = steps, window_ = length; }
   void impose(Solver&);
   AdvanceRequest request(Solver&);
   void absorb(const Advanced&, Solver&);
@@ -81,7 +81,8 @@ class Zone {
   std::vector<NewGrain> layer_;  // driven grains after the last window, for the overlap test
   double lent_ = 0;              // [kg] the driven layers' first filling
   double remainder_ = 0;         // [kg] left over from filling with whole grains
-  std::int64_t next_id_ = 1;
+  std::int64_t next_id_ = 1, steps_ = 0;
+  double window_ = 0;  // [s]
   long inserted_ = 0;
   bool fresh_ = false;  // no window yet
 };

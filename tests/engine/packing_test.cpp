@@ -48,6 +48,11 @@ TEST(Packing, IsDenseKeptAndRepeatable) {
   // kept: the engine cannot have made it again, for it has no worker
   LiggghtsEngine none("/nowhere/worker");
   EXPECT_TRUE(same(p, settled_packing(small(), none, cache.path, work.path)));
+  // a cache that cannot be written costs only time, and is said
+  std::string said;
+  const auto say = [&](const std::string& what) { said = what; };
+  EXPECT_TRUE(same(p, settled_packing(small(), engine, "/dev/null/packings", work.path, {}, say)));
+  EXPECT_NE(said.find("could not be kept in /dev/null/packings"), std::string::npos) << said;
   // made again elsewhere: the same bits; another seed: other grains
   EXPECT_TRUE(same(p, settled_packing(small(), engine, other.path, work.path)));
   PackingSpec seeded = small();

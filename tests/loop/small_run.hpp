@@ -33,8 +33,15 @@ struct Watched : Observer {
   }
 };
 
+// The process's own folder in the build tree, gone when it ends.
+struct TestRuns {
+  std::filesystem::path path = std::filesystem::path(COULOIR_BINARY_DIR) / "test_runs" / std::to_string(getpid());
+  ~TestRuns() { std::filesystem::remove_all(path); }
+};
+
 inline std::string fresh_folder(const std::string& name) {
-  const auto path = std::filesystem::temp_directory_path() / ("couloir_loop_" + std::to_string(getpid())) / name;
+  static const TestRuns test_runs;
+  const auto path = test_runs.path / name;
   std::filesystem::remove_all(path);
   std::filesystem::create_directories(path);
   return path.string();

@@ -80,6 +80,14 @@ TEST(Plan, WarnsOfWhatDoesNotMatch) {
   EXPECT_THAT(make_plan(experiment("null_zone")).warnings, testing::IsEmpty());
 }
 
+TEST(Plan, WarnsOfAnObstacleThatTheFlowDoesNotReach) {
+  EXPECT_THAT(make_plan(experiment("chiou_wall", {{"duration", "0.1 s"}})).warnings,
+              Contains(HasSubstr("later than the run ends")));
+  EXPECT_THAT(make_plan(experiment("chiou_wall", {{"terrain.angle", "10 deg"}})).warnings,
+              Contains(HasSubstr("expected to stop")));
+  EXPECT_THAT(make_plan(experiment("chiou_wall")).warnings, Not(Contains(HasSubstr("is expected to stop"))));
+}
+
 TEST(Plan, AsTextAndJson) {
   const Plan plan = make_plan(experiment("chiou_wall"));
   const std::string text = plan_text(plan);

@@ -43,6 +43,14 @@ TEST(AutomaticZone, GrowsWithWallAndGrains) {
   EXPECT_LT(coarse.y0, base.y0);
 }
 
+TEST(AutomaticZone, DoesNotDependOnHowLongTheRunIs) {
+  const ZoneBox longer = automatic_zone(experiment("chiou_wall"));
+  const ZoneBox shorter = automatic_zone(experiment("chiou_wall", {{"duration", "0.1 s"}}));
+  EXPECT_EQ(shorter.x0, longer.x0);
+  EXPECT_EQ(shorter.x1, longer.x1);
+  EXPECT_EQ(shorter.y0, longer.y0);
+}
+
 TEST(AutomaticZone, CoversAllObstaclesAndMeetsNearSides) {
   const Scene s = experiment("chiou_wall", {{"obstacles.post", "{position: [750 mm, 345 mm], size: [20 mm, 20 mm, 60 mm]}"}});
   const ZoneBox z = automatic_zone(s);

@@ -34,6 +34,14 @@ TEST(ForceSeries, PeakIsTheMeanOver15ms) {
   EXPECT_NEAR(f.final, 0.05 / 0.05, 1e-12);
 }
 
+TEST(ForceSeries, AContactShorterThan15msIsAveragedOverItsOwnLength) {
+  ForceSeries series;
+  for (int k = 1; k <= 100; ++k) series.add(k * 1e-3, 1e-3, k > 96 ? 7 : 0, k > 96);
+  const ForceFigures f = series.figures();
+  EXPECT_NEAR(f.peak, 7, 1e-12);
+  EXPECT_NEAR(f.mean, 7, 1e-12);
+}
+
 TEST(ForceSeries, PeakDoesNotHangOnTheWindows) {
   ForceSeries fine, coarse;  // a rectangle of 20 ms and 5 N, cut differently
   for (int k = 1; k <= 400; ++k) fine.add(k * 0.25e-3, 0.25e-3, k > 160 && k <= 240 ? 5 : 0, k > 160);

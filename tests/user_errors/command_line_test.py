@@ -48,6 +48,15 @@ class CommandLine(unittest.TestCase):
             time.sleep(0.02)
         return run
 
+    def test_a_window_or_a_step_too_long_for_the_flow(self):
+        self.expect(couloir("run", SMALL, "--set", "grains.window=5000", "--out", self.dir / "run"), 2, "grains.window", "use at most")
+        self.expect(couloir("run", SMALL, "--set", "grains.timestep=1 ms", "--out", self.dir / "run"), 2, "grains.timestep", "at most")
+        self.assertFalse((self.dir / "run").exists(), "nothing is made for a scene that is wrong")
+
+    def test_a_list_is_no_scene(self):
+        (self.dir / "list.yaml").write_text("[1, 2]")
+        self.expect(couloir("plan", self.dir / "list.yaml", "--mode", "grains"), 2, "list.yaml:1", "a scene is a mapping of keys")
+
     def test_a_misspelt_key(self):
         scene = self.scene("basal_friction_angle", "basal_frction_angle")
         self.expect(couloir("plan", scene), 2, "scene.yaml:9", "basal_frction_angle", "did you mean 'basal_friction_angle'?")

@@ -1,0 +1,17 @@
+#pragma once
+// What a scene may not ask of the engine or of the machine.
+
+#include "coupling/plan/plan.hpp"
+
+namespace couloir {
+
+// The engine's step at most a quarter longer than the stable one; in a coupling window the flow at most half the driven layer on;
+// at most 1e9 grains. Throws SceneError with place, key, bound and remedy.
+void check_limits(const Scene&, const Plan&);
+
+// Throws SceneError where the plan needs more memory than this machine has.
+void check_memory(const Scene&, const Plan&);
+
+double machine_memory();  // [bytes]
+
+}  // namespace couloir

@@ -1,0 +1,57 @@
+#include "coupling/plan/limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coupling/plan/build.hpp"
+#include "coupling/scene/scene_error.hpp"
+#include "plan_scenes.hpp"
+
+namespace couloir {
+namespace {
+
+// The sentence with which the plan is refused; empty: it is not.
+std::string refusal(const Overrides& changes) {
+  try {
+    make_plan(experiment("chiou_wall", changes));
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Limits, AnEngineStepIsAtMostAQuarterAboveTheStableOne) {
+  const Scene s = experiment("chiou_wall");
+  const double stable = stable_timestep(s, expected_grain_density(s));
+  EXPECT_EQ(refusal({{"grains.timestep", std::to_string(1.2e6 * stable) + "e-6 s"}}), "");
+  const std::string why = refusal({{"grains.timestep", "1 ms"}});
+  EXPECT_TRUE(holds(why, "--set grains.timestep") && holds(why, "at most 29.19 us")) << why;
+}
+
+TEST(Limits, AWindowIsShorterThanTheFlowsWayThroughHalfTheDrivenLayer) {
+  EXPECT_EQ(refusal({{"grains.window", "100"}}), "");
+  const std::string why = refusal({{"grains.window", "3000"}});
+  EXPECT_TRUE(holds(why, "--set grains.window") && holds(why, "use at most 112 steps")) << why;
+  EXPECT_EQ(refusal({{"grains.window", "112"}}), "") << "the remedy that the sentence names is one";
+  EXPECT_EQ(refusal({{"grains.window", "3000"}, {"mode", "continuum"}}), "");
+}
+
+TEST(Limits, GrainsAreCountable) {
+  const std::string why = refusal({{"grains.diameter", "0.00001 mm"}});
+  EXPECT_TRUE(holds(why, "grains.diameter is 1e-05 mm") && holds(why, "use larger grains")) << why;
+}
+
+TEST(Limits, MoreMemoryThanTheMachineHasIsRefusedByTheRunAndWarnedOfByThePlan) {
+  const Scene s = experiment("chiou_wall");
+  Plan plan = make_plan(s);
+  EXPECT_NO_THROW(check_memory(s, plan));
+  plan.memory = 2 * machine_memory();
+  EXPECT_THROW(check_memory(s, plan), SceneError);
+  EXPECT_GT(machine_memory(), 1e8);
+}
+
+}  // namespace
+}  // namespace couloir
