@@ -11,12 +11,18 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <vector>
 
 namespace couloir {
 
 using Vec = std::array<double, 3>;
+
+// [kg] of a sphere; radius [m], density [kg/m3] of the grain.
+inline double grain_mass(double radius, double density) {
+  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density;
+}
 
 struct Triangle {
   Vec a, b, c;

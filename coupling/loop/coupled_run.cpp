@@ -135,8 +135,7 @@ class CoupledRun : public ModeRun {
         w.momentum.gravity += 0.5 * (mass_before + grain_mass_) * scene_.gravity * surface_.gravity_direction().x() * w.length;
         w.momentum.bed += grains_->impulse_x("bed");
         w.momentum.boundary -= edge_->momentum() - left_momentum_;
-        for (const char* side : {"side_left", "side_right", "side_upstream", "side_downstream"})
-          w.momentum.boundary += grains_->impulse_x(side);
+        for (const char* side : side_surfaces) w.momentum.boundary += grains_->impulse_x(side);
       }
       left_momentum_ = edge_->momentum();
       grain_momentum_ = grain_momentum + faces_momentum;

@@ -78,13 +78,13 @@ void add_obstacles_and_sides(EngineSetup& setup, const Scene& s, const Reference
   };
   using Kind = SideSpec::Kind;
   if (s.sides[2].kind == Kind::wall && region.y0 <= -half)
-    side("side_left", side_mesh(surface, region.x0, region.x1, -half, height, size));
+    side(side_surfaces[0], side_mesh(surface, region.x0, region.x1, -half, height, size));
   if (s.sides[3].kind == Kind::wall && region.y1 >= half)
-    side("side_right", side_mesh(surface, region.x0, region.x1, half, height, size));
+    side(side_surfaces[1], side_mesh(surface, region.x0, region.x1, half, height, size));
   if (s.sides[0].kind == Kind::wall && region.x0 <= 0)
-    side("side_upstream", end_mesh(surface, 0, region.y0, region.y1, height, size));
+    side(side_surfaces[2], end_mesh(surface, 0, region.y0, region.y1, height, size));
   if (s.sides[1].kind == Kind::wall && region.x1 >= length)
-    side("side_downstream", end_mesh(surface, length, region.y0, region.y1, height, size));
+    side(side_surfaces[3], end_mesh(surface, length, region.y0, region.y1, height, size));
 }
 
 double mesh_size(const Scene& s) {

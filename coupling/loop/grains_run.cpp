@@ -81,8 +81,7 @@ class GrainsRun : public ModeRun {
     w.momentum.boundary = -(edge_->momentum() - left_before);
     w.momentum.gravity = mass_before() * scene_.gravity * surface_.gravity_direction().x() * w.length;
     w.momentum.bed = side_->impulse_x("bed");
-    for (const char* side : {"side_left", "side_right", "side_upstream", "side_downstream"})
-      w.momentum.boundary += side_->impulse_x(side);
+    for (const char* side : side_surfaces) w.momentum.boundary += side_->impulse_x(side);
     for (int k = 0; k < int(scene_.obstacles.size()); ++k) {
       w.momentum.obstacles += side_->impulse_x(scene_.obstacles[k].name);
       ObstacleForce force = side_->force(k);

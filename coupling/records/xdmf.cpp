@@ -91,7 +91,9 @@ void Xdmf::add(std::optional<TextFile>& file, const std::string& name, const std
     std::string before;
     if (resume_time_ >= 0 && std::filesystem::exists(path)) before = frames_until(path, resume_time_);
     file.emplace(path);
-    file->line_before(head(name) + (before.empty() ? "" : "\n" + before.substr(0, before.size() - 1)), kTail);
+    std::string text = head(name);
+    if (!before.empty()) text.append(1, '\n').append(before, 0, before.size() - 1);
+    file->line_before(text, kTail);
   }
   file->line_before(grid, kTail);
 }

@@ -1,7 +1,6 @@
 #include "coupling/transfer/coarse_grain.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace couloir {
 
@@ -17,8 +16,7 @@ CoarseGrained coarse_grain(const Grains& g, const Grid& grid, const CellBox& box
     if (i < -1 || i >= nx) continue;
     if (!periodic_y && (j < -1 || j >= ny)) continue;
     const Eigen::Vector3d t = surface.tangent(p.x);
-    const double r = g.radius[n];
-    const double depth = 4.0 / 3.0 * std::numbers::pi * r * r * r * grain_density * per_cell;
+    const double depth = grain_mass(g.radius[n], grain_density) * per_cell;
     const double u = g.vx[n] * t.x() + g.vz[n] * t.z();
     for (int b = 0; b < 2; ++b)
       for (int a = 0; a < 2; ++a) {

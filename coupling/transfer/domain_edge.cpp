@@ -1,7 +1,5 @@
 #include "coupling/transfer/domain_edge.hpp"
 
-#include <numbers>
-
 namespace couloir {
 
 void DomainEdge::take(const Grains& g, const ReferenceSurface& surface, std::vector<std::int64_t>& remove,
@@ -11,7 +9,7 @@ void DomainEdge::take(const Grains& g, const ReferenceSurface& surface, std::vec
     const bool out =
         (open_[0] && p.x < 0) || (open_[1] && p.x > length_) || (open_[2] && p.y < -width_ / 2) || (open_[3] && p.y > width_ / 2);
     if (!out || !counted(g.id[i])) continue;
-    const double r = g.radius[i], m = 4.0 / 3.0 * std::numbers::pi * r * r * r * density_;
+    const double m = grain_mass(g.radius[i], density_);
     mass_ += m;
     momentum_ += m * g.vx[i];
     remove.push_back(g.id[i]);

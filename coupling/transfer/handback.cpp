@@ -1,16 +1,10 @@
 #include "coupling/transfer/handback.hpp"
 
-#include <numbers>
-
 namespace couloir {
 
 Handback::Handback(const Rim& rim, const ReferenceSurface& surface, double grain_density)
     : rim_(&rim), surface_(&surface), density_(grain_density) {
   for (const RimFace& face : rim.faces()) pending_.emplace_back(face.cells);
-}
-
-double Handback::grain_mass(double r) const {
-  return 4.0 / 3.0 * std::numbers::pi * r * r * r * density_;
 }
 
 void Handback::mark_shadow(std::int64_t id) {
@@ -43,7 +37,7 @@ void Handback::sort(const Grains& g, const std::vector<std::vector<Outside>>& ou
     const Outside& beyond = outside[at][face->segment_of_cell(cell)];
 
     const auto exchange = [&](double sign) {
-      const double m = sign * grain_mass(g.radius[i]);
+      const double m = sign * grain_mass(g.radius[i], density_);
       const Eigen::Vector3d t = surface_->tangent(surface_->to_surface({p[0], p[1], p[2]}).x);
       Parcel& parcel = pending_[at][cell];
       parcel.mass += m;

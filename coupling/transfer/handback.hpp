@@ -39,7 +39,6 @@ class Handback {
   bool is_shadow(std::int64_t id) const { return id < std::int64_t(shadow_.size()) && shadow_[id]; }
   void mark_shadow(std::int64_t id);
   long returned() const { return returned_; }  // grains handed back since the start
-  double grain_mass(double radius) const;
 
  private:
   const Rim* rim_;

@@ -1,7 +1,5 @@
 #include "coupling/transfer/overtopping.hpp"
 
-#include <numbers>
-
 namespace couloir {
 
 void Overtopping::look(const Grains& g, const ReferenceSurface& surface) {
@@ -10,8 +8,7 @@ void Overtopping::look(const Grains& g, const ReferenceSurface& surface) {
     if (g.id[i] >= std::int64_t(side_.size())) side_.resize(2 * g.id[i] + 1000, 0);
     const signed char now = p.x < middle_ ? -1 : 1;
     signed char& before = side_[g.id[i]];
-    if (before != 0 && before != now && p.y > y0_ && p.y < y1_)
-      mass_ += now * 4.0 / 3.0 * std::numbers::pi * g.radius[i] * g.radius[i] * g.radius[i] * density_;
+    if (before != 0 && before != now && p.y > y0_ && p.y < y1_) mass_ += now * grain_mass(g.radius[i], density_);
     before = now;
   }
 }

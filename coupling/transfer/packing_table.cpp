@@ -1,7 +1,6 @@
 #include "coupling/transfer/packing_table.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <stdexcept>
 
 namespace couloir {
@@ -21,7 +20,7 @@ PackingTable::PackingTable(const Packing& packing, double grain_density) : packi
 }
 
 double PackingTable::grain_mass(double radius) const {
-  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * grain_density_;
+  return couloir::grain_mass(radius, grain_density_);
 }
 
 double PackingTable::cut(double areal_mass) const {

@@ -271,20 +271,31 @@ Conveyor::Occupied Zone::occupied(int face, const std::vector<NewGrain>& inserte
   };
 }
 
-void Zone::settle_departed(int f, int s, const Grains& g) {
+void Zone::find_layer(const Grains& g) {
+  layer_.clear();
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    if (!g.driven[i]) continue;
+    const Vec p{g.x[i], g.y[i], g.z[i]};
+    for (int f = 0; f < int(rim_.faces().size()); ++f) {
+      const RimFace& face = rim_.faces()[f];
+      const double s = face.distance(p);
+      if (s > 0 || s < -2 * rim_.layer()) continue;
+      layer_.push_back({g.id[i], p, {}, g.radius[i], f, face.segment_of_cell(face.cell_at(face.along(p)))});
+      break;
+    }
+  }
+}
+
+void Zone::settle_departed(int f, int s) {
   // The flow has turned away: its driven grains never came in. They go, and all that is owed goes back to the flow.
   const RimFace& face = rim_.faces()[f];
   double mass = conveyors_[f].owed(s);
   bool any = false;
-  for (std::size_t i = 0; i < g.size(); ++i) {
-    if (!g.driven[i]) continue;
-    const Vec p{g.x[i], g.y[i], g.z[i]};
-    if (face.distance(p) >= 0 || face.distance(p) < -2 * rim_.layer()) continue;
-    const double along = face.along(p);
-    if (along < 0 || along >= face.cells * face.cell_width || face.segment_of_cell(face.cell_at(along)) != s) continue;
-    mass += handback_.grain_mass(g.radius[i]);
-    remove_.push_back(g.id[i]);
-    handback_.mark_shadow(g.id[i]);
+  for (const NewGrain& g : layer_) {
+    if (g.face != f || g.segment != s) continue;
+    mass += table_->grain_mass(g.radius);
+    remove_.push_back(g.id);
+    handback_.mark_shadow(g.id);
     any = true;
   }
   if (!any) return;
@@ -295,6 +306,7 @@ void Zone::settle_departed(int f, int s, const Grains& g) {
 
 void Zone::absorb(const Advanced& advanced, Solver& solver) {
   const Grains& g = advanced.grains;
+  find_layer(g);
   std::vector<std::vector<Handback::Outside>> outside;
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
     outside.emplace_back();
@@ -304,25 +316,12 @@ void Zone::absorb(const Advanced& advanced, Solver& solver) {
       segment.rate = segment.displacement / window_;
       segment.raft = advanced.segments[f][s].velocity;
       outside.back().push_back({segment.inflow, segment.fast_outflow ? rim_.short_buffer() : rim_.buffer()});
-      if (!segment.inflow && advanced.segments[f][s].mass > 0) settle_departed(f, s, g);
+      if (!segment.inflow && advanced.segments[f][s].mass > 0) settle_departed(f, s);
     }
   }
   handback_.sort(g, outside, remove_);
   std::sort(remove_.begin(), remove_.end());
   remove_.erase(std::unique(remove_.begin(), remove_.end()), remove_.end());
-
-  layer_.clear();
-  for (std::size_t i = 0; i < g.size(); ++i)
-    if (g.driven[i]) {
-      const Vec p{g.x[i], g.y[i], g.z[i]};
-      for (int f = 0; f < int(rim_.faces().size()); ++f) {
-        const RimFace& face = rim_.faces()[f];
-        const double s = face.distance(p);
-        if (s > 0 || s < -2 * rim_.layer()) continue;
-        layer_.push_back({g.id[i], p, {}, g.radius[i], f, face.segment_of_cell(face.cell_at(face.along(p)))});
-        break;
-      }
-    }
 
   field_ =
       coarse_grain(g, grid_, settings_.box, *surface_, table_->grain_density(), table_->bulk_density(), settings_.periodic_y);
@@ -353,7 +352,7 @@ double Zone::faces_momentum() const {
 double Zone::grains_mass(const Grains& g) const {
   double sum = 0;
   for (std::size_t i = 0; i < g.size(); ++i)
-    if (!is_shadow(g.id[i])) sum += handback_.grain_mass(g.radius[i]);
+    if (!is_shadow(g.id[i])) sum += table_->grain_mass(g.radius[i]);
   return sum;
 }
 
@@ -362,7 +361,7 @@ double Zone::grains_momentum(const Grains& g) const {
   for (std::size_t i = 0; i < g.size(); ++i)
     if (!is_shadow(g.id[i])) {
       const Eigen::Vector3d t = surface_->tangent(surface_->to_surface({g.x[i], g.y[i], g.z[i]}).x);
-      sum += handback_.grain_mass(g.radius[i]) * (g.vx[i] * t.x() + g.vz[i] * t.z());
+      sum += table_->grain_mass(g.radius[i]) * (g.vx[i] * t.x() + g.vz[i] * t.z());
     }
   return sum;
 }

@@ -62,7 +62,8 @@ class Zone {
   void look_outside(const Solver&);
   double push(const Solver&, int face, int k, double raft) const;  // [m3/s2] per unit width and density
   void drive_strip(const Solver&, const RimFace&, int first, int last, SegmentDrive&) const;  // of shadows; cells [first, last)
-  void settle_departed(int face, int segment, const Grains&);
+  void find_layer(const Grains&);
+  void settle_departed(int face, int segment);
   Conveyor::Occupied occupied(int face, const std::vector<NewGrain>& inserted) const;
 
   static constexpr double steepest_ = 0.5;  // least ratio of normal to tangential velocity that a raft carries in

@@ -33,7 +33,7 @@ struct Bench {
 
 TEST(Handback, GivesMassAndMomentumOnceToTheCellOutside) {
   Bench b;
-  const double m = b.handback.grain_mass(0.002);
+  const double m = grain_mass(0.002, 1100);
   b.handback.sort(b.one(0.601, 0.033, 2.0, 0.5), b.outside, b.remove);
   EXPECT_DOUBLE_EQ(b.handback.pending_mass(), m);
   const Parcel& p = b.handback.pending()[1][13];  // downstream face, y = 0.033 -> cell (0.033 + 0.1) / 0.01
