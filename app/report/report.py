@@ -94,11 +94,11 @@ def report_one(run, out):
                                       "Thin: mean of each coupling window. Thick: running mean of 15 ms, whose peak is quoted."))
     body += section("From above", picture(figures.top_view(run, out / "top.png"),
                                           "Depth of the flow with its outline; hatched: obstacles; dashed: the zone that the "
-                                          "grains hold."))
+                                          "grains hold, where a thin flow shows as single grains."))
     body += section("From the side", picture(figures.side_view(run, out / "side.png"),
                                              "Section through the middle of the obstacle: grains within two diameters of it, "
-                                             "coloured by speed; line: surface of the flow. Heights along the normal, not "
-                                             "exaggerated."))
+                                             "coloured by speed; line: surface of the flow, in the zone the mean over a cell. "
+                                             "Heights along the normal, not exaggerated."))
     body += section("Key figures", key_figures([run], ["value"]) if run.summary else "")
     body += section("Effects", effects_table(run.summary["effects"]) if run.summary.get("effects") else "")
     body += section("Events", events_table(run.events) if run.events else "")
