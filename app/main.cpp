@@ -9,6 +9,7 @@
 #include "app/verbs.hpp"
 #include "continuum/errors.hpp"
 #include "coupling/engine/engine_error.hpp"
+#include "coupling/loop/interrupted.hpp"
 #include "coupling/records/record_error.hpp"
 #include "coupling/scene/scene_error.hpp"
 
@@ -43,6 +44,8 @@ int main(int argc, char** argv) {
     return fail(3, "the run failed", error);
   } catch (const RecordError& error) {
     return fail(3, "the run failed", error);
+  } catch (const Interrupted& error) {
+    return fail(3, "interrupted", error);
   } catch (const std::exception& error) {
     return fail(3, "internal error", error);
   }

@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/run_report.hpp"
 #include "app/scene_options.hpp"
 #include "app/verbs.hpp"
+#include "coupling/records/record_error.hpp"
 #include "coupling/scene/scene_error.hpp"
 
 extern char** environ;
@@ -27,6 +29,7 @@ std::string draw_report(const std::vector<std::string>& runs, const std::string&
   std::vector<std::string> words{"/usr/bin/python3", report_script()};
   words.insert(words.end(), runs.begin(), runs.end());
   words.insert(words.end(), {"--out", folder.string()});
+  setenv("MPLCONFIGDIR", plot_cache_folder().c_str(), 0);  // else matplotlib writes into the user's home
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
@@ -35,7 +38,8 @@ std::string draw_report(const std::vector<std::string>& runs, const std::string&
   if (posix_spawn(&pid, argv[0], nullptr, nullptr, argv.data(), environ) != 0)
     throw std::runtime_error("/usr/bin/python3 cannot be run");
   waitpid(pid, &status, 0);
-  if (status != 0) throw std::runtime_error("the report could not be drawn; the run's records are whole (see the lines above)");
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 2) throw SceneError("the report could not be drawn (see the line above)");
+  if (status != 0) throw RecordError("the report could not be drawn; the run's records are untouched (see the lines above)");
   return (folder / "index.html").string();
 }
 
@@ -53,7 +57,7 @@ void add_report(CLI::App& app, int&) {
   verb->callback([options] {
     const std::string page = draw_report(options->runs, options->out);
     if (options->json)
-      std::printf("{\"report\": \"%s\"}\n", page.c_str());
+      std::printf("%s\n", nlohmann::json{{"report", page}}.dump().c_str());
     else
       std::printf("report: %s\n", page.c_str());
   });

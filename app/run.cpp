@@ -64,6 +64,8 @@ int run(const RunVerb& verb) {
   interrupted = 0;
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
+  std::signal(SIGHUP, on_signal);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is then a write error, with its sentence
   options.interrupted = [] { return interrupted != 0; };
 
   ConsoleSettings screen;
@@ -79,8 +81,11 @@ int run(const RunVerb& verb) {
     // Records flush a frame before Xdmf names it; the summary is last, so that its being there means that all else is.
     end = run_scene(scene, options, {&records, &xdmf, &forces, &console, &summary});
   } catch (...) {
-    fmt::print(stderr, "couloir: what was computed is in {}; the last state that could be saved is in {}\n",
-               folder.path().string(), work);
+    if (std::filesystem::exists(folder.file("summary.json")))
+      fmt::print(stderr, "couloir: what was computed is in {}; the last state that could be saved is in {}\n",
+                 folder.path().string(), work);
+    else
+      fmt::print(stderr, "couloir: nothing was computed yet; the log is in {}\n", folder.path().string());
     throw;
   }  // all files are closed before the report reads them
   if (end.status == "interrupted")

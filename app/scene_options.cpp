@@ -31,6 +31,9 @@ std::string materials_folder() {
 std::string packings_folder() {
   return COULOIR_SOURCE_DIR "/.cache/packings";
 }
+std::string plot_cache_folder() {
+  return COULOIR_SOURCE_DIR "/.cache/matplotlib";
+}
 std::string report_script() {
   return COULOIR_SOURCE_DIR "/app/report/report.py";
 }

@@ -20,6 +20,7 @@ struct SceneOptions {
 // Folders of this checkout.
 std::string materials_folder();
 std::string packings_folder();
+std::string plot_cache_folder();
 std::string report_script();
 
 }  // namespace couloir

@@ -169,7 +169,12 @@ def spread(grains, x, y, cell):
 
 
 def running_mean(time, length, force, span=0.015):
-    """Mean over the last `span` seconds at each window's end, exact for a force that is constant in each window."""
+    """Mean over the last `span` seconds at each window's end, exact for a force that is constant in each window; a contact
+    shorter than that is averaged over its own length, as in the summary."""
+    contact = np.flatnonzero(force)
+    if len(contact):
+        first = contact[0]
+        span = min(span, time[-1] - (time[first] - length[first]))
     edges = np.concatenate([[time[0] - length[0]], time])
     impulse = np.concatenate([[0.0], np.cumsum(force * length)])
     return (impulse[1:] - np.interp(time - span, edges, impulse)) / span

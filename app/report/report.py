@@ -177,6 +177,9 @@ def main():
     except NoRun as error:
         print(error, file=sys.stderr)
         return 2
+    except (ValueError, KeyError) as error:
+        print(f"the run's files are not whole: {error}", file=sys.stderr)
+        return 2
     except OSError as error:
         print(f"the report could not be written: {error}", file=sys.stderr)
         return 2

@@ -45,19 +45,13 @@ class CoupledRun : public ModeRun {
   }
 
   void place_zone(const Grid& grid) {
-    const ZoneBox z = scene_.grains.zone ? *scene_.grains.zone : automatic_zone(scene_);
-    const auto cell = [](double at, double origin, double size, int most) {
-      return std::clamp(int(std::lround((at - origin) / size)), 0, most);
-    };
-    settings_.box = {cell(z.x0, grid.x0, grid.dx, grid.nx), cell(z.x1, grid.x0, grid.dx, grid.nx),
-                     cell(z.y0, grid.y0, grid.dy, grid.ny), cell(z.y1, grid.y0, grid.dy, grid.ny)};
-    box_ = {grid.x0 + settings_.box.i0 * grid.dx, grid.x0 + settings_.box.i1 * grid.dx, grid.y0 + settings_.box.j0 * grid.dy,
-            grid.y0 + settings_.box.j1 * grid.dy};
+    const PlannedZone planned = planned_zone(scene_);
+    settings_.box = planned.cells;
+    box_ = planned.box;
     const bool touches[] = {settings_.box.i0 == 0, settings_.box.i1 == grid.nx, settings_.box.j0 == 0,
                             settings_.box.j1 == grid.ny};
     std::array<bool, 4> open{};
-    for (int q = 0; q < 4; ++q)
-      open[q] = touches[q] && (scene_.sides[q].kind == SideSpec::Kind::outflow || scene_.sides[q].kind == SideSpec::Kind::inflow);
+    for (int q = 0; q < 4; ++q) open[q] = touches[q] && scene_.sides[q].open();
     edge_ =
         std::make_unique<DomainEdge>(open, scene_.terrain.total_length(), scene_.terrain.width, grains_->table().grain_density());
     settings_.rim.diameter = scene_.grains.diameter;

@@ -66,11 +66,12 @@ void set_box(EngineSetup& setup, const Scene& s, const ReferenceSurface& surface
   setup.periodic = {false, periodic, false};
 }
 
-void add_obstacles_and_sides(EngineSetup& setup, const Scene& s, const ReferenceSurface& surface, const Patch& region,
-                             double height, double size) {
+// `zone`: whose obstacles the grains meet; `region`: the bed that they have, margins included.
+void add_obstacles_and_sides(EngineSetup& setup, const Scene& s, const ReferenceSurface& surface, const ZoneBox& zone,
+                             const Patch& region, double height, double size) {
   const GrainMaterial& m = s.material.grain;
   for (const ObstacleSpec& o : s.obstacles)
-    if (o.x >= region.x0 && o.x + o.length <= region.x1 && o.y - o.width / 2 >= region.y0 && o.y + o.width / 2 <= region.y1)
+    if (zone.holds(o))
       setup.surfaces.push_back({o.name, cuboid_mesh(surface, o, size), m.wall_friction, m.base_rolling_friction});
   const double half = s.terrain.width / 2, length = s.terrain.total_length();
   const auto side = [&](const char* name, std::vector<Triangle> mesh) {
@@ -122,14 +123,12 @@ double grain_density(const Scene& s, const Packing& packing) {
 EngineSetup engine_setup_whole(const Scene& s, const ReferenceSurface& surface, double density, const std::string& work_dir) {
   EngineSetup setup = material_setup(s, surface, density, work_dir);
   const double margin = open_margin * s.grains.diameter, half = s.terrain.width / 2, length = s.terrain.total_length();
-  const auto open = [&](int side) {
-    return s.sides[side].kind == SideSpec::Kind::outflow || s.sides[side].kind == SideSpec::Kind::inflow;
-  };
+  const auto open = [&](int side) { return s.sides[side].open(); };
   const Patch region{open(0) ? -margin : 0, length + (open(1) ? margin : 0), -half - (open(2) ? margin : 0),
                      half + (open(3) ? margin : 0)};
   const double height = throw_height(s, surface, length);
   add_bed(setup, s, "bed", bed_mesh(surface, region, mesh_size(s)));
-  add_obstacles_and_sides(setup, s, surface, region, height, mesh_size(s));
+  add_obstacles_and_sides(setup, s, surface, {region.x0, region.x1, region.y0, region.y1}, region, height, mesh_size(s));
   set_box(setup, s, surface, region, height);
   return setup;
 }
@@ -139,9 +138,7 @@ EngineSetup engine_setup_zone(const Scene& s, const ReferenceSurface& surface, c
   EngineSetup setup = material_setup(s, surface, density, work_dir);
   Patch region{z.x0, z.x1, z.y0, z.y1};
   const double margin = rim.buffer() + open_margin * s.grains.diameter;
-  const auto touches_open = [&](int side, bool touches) {
-    return touches && (s.sides[side].kind == SideSpec::Kind::outflow || s.sides[side].kind == SideSpec::Kind::inflow);
-  };
+  const auto touches_open = [&](int side, bool touches) { return touches && s.sides[side].open(); };
   // Where the zone ends with an open domain, grains pass its side before they are taken out.
   const double half = s.terrain.width / 2, length = s.terrain.total_length(), near = 1e-9;
   if (touches_open(0, z.x0 < near)) region.x0 -= margin;
@@ -164,7 +161,7 @@ EngineSetup engine_setup_zone(const Scene& s, const ReferenceSurface& surface, c
       for (const Triangle& t : bed_mesh(surface, p, size)) around.push_back(t);
   if (!around.empty()) add_bed(setup, s, "bed_rim", std::move(around));
   const double height = throw_height(s, surface, z.x1);
-  add_obstacles_and_sides(setup, s, surface, region, height, size);
+  add_obstacles_and_sides(setup, s, surface, z, region, height, size);
   set_box(setup, s, surface, region, height);
   return setup;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "coupling/engine/liggghts_engine.hpp"
+#include "coupling/loop/interrupted.hpp"
 #include "coupling/plan/build.hpp"
 
 namespace couloir {
@@ -11,7 +12,12 @@ GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const Refere
                      const std::function<void(const std::string&)>& say)
     : scene_(scene), options_(options), surface_(surface) {
   LiggghtsEngine settling(options.worker);
-  const Packing packing = settled_packing(packing_spec(scene, depth), settling, options.packings, options.work_dir, {}, say);
+  const Packing packing = settled_packing(
+      packing_spec(scene, depth), settling, options.packings, options.work_dir,
+      [&](double) {
+        if (options.interrupted()) throw Interrupted();
+      },
+      say);
   table_ = std::make_unique<PackingTable>(packing, grain_density(scene, packing));
   timestep_ = engine_timestep(scene, table_->grain_density());
   surface_of_obstacle_.assign(scene.obstacles.size(), -1);

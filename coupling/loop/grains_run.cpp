@@ -43,9 +43,8 @@ class GrainsRun : public ModeRun {
     }
     inserted_ = long(request_.insert.size());
 
-    using Kind = SideSpec::Kind;
     std::array<bool, 4> open{};
-    for (int q = 0; q < 4; ++q) open[q] = scene_.sides[q].kind == Kind::outflow || scene_.sides[q].kind == Kind::inflow;
+    for (int q = 0; q < 4; ++q) open[q] = scene_.sides[q].open();
     edge_ = std::make_unique<DomainEdge>(open, length, scene_.terrain.width, side_->table().grain_density());
 
     RunStart begin;

@@ -104,11 +104,14 @@ ReferenceSurface reference_surface(const Scene& scene) {
 }
 
 CellBox cells_in(const ZoneBox& box, const Grid& grid) {
-  const auto first = [](double edge, double origin, double step, int n) {
-    return std::clamp(static_cast<int>(std::ceil((edge - origin) / step - 0.5 - 1e-9)), 0, n);
+  const auto line = [](double edge, double origin, double step, int n) {
+    const double at = (edge - origin) / step;
+    // An edge midway between two lines goes outwards from the origin, whichever way round-off leans.
+    return std::clamp(static_cast<int>(std::lround(at + (at > 0 ? 1e-9 : -1e-9))), -n, n);
   };
-  return {first(box.x0, grid.x0, grid.dx, grid.nx), first(box.x1, grid.x0, grid.dx, grid.nx),
-          first(box.y0, grid.y0, grid.dy, grid.ny), first(box.y1, grid.y0, grid.dy, grid.ny)};
+  const int half = grid.ny / 2;  // lines across are counted from y = 0, so that a symmetric box stays symmetric
+  return {std::max(0, line(box.x0, grid.x0, grid.dx, grid.nx)), std::max(0, line(box.x1, grid.x0, grid.dx, grid.nx)),
+          half + line(box.y0, 0, grid.dy, half), half + line(box.y1, 0, grid.dy, half)};
 }
 
 double expected_grain_density(const Scene& scene) {

@@ -15,7 +15,7 @@ StepBed step_bed(const Scene&);
 ReferenceSurface reference_surface(const Scene&);
 Closure closure_of(const Scene&);  // mode grains: hydraulic, whatever the angles
 
-// The cells whose centres lie in the box.
+// The cells between the lines nearest to the box's edges.
 CellBox cells_in(const ZoneBox&, const Grid&);
 
 // Of a settled block on a flat base; measured values lie at .563-.579. The real packing's own value replaces it in a run.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "coupling/plan/build.hpp"
+#include "coupling/scene/release_shape.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "coupling/scene/units.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double most_grains = 1e9;
 // Of the stable step, which is 0.16 of the Rayleigh time: beyond 0.2 contacts gain energy and walls feel wrong forces.
-constexpr double longest_step = 1.25;
+constexpr double longest_step = 1.25, shortest_step = 1e-3;
 // [d] half the driven layer of 3 d: what a face draws in must come from where grains stand ready.
 constexpr double most_travel = 1.5;
 
@@ -30,26 +31,63 @@ std::string us(double seconds) {
 
 void check_step(const Scene& scene) {
   const double most = longest_step * stable_timestep(scene, expected_grain_density(scene));
+  if (scene.grains.timestep > 0 && scene.grains.timestep < shortest_step * most) {
+    fail(scene, "grains.timestep", "is {:.3g} us, less than {:.3g} us: a run would never end; leave it out",
+         scene.grains.timestep * 1e6, shortest_step * most * 1e6);
+  }
   if (scene.grains.timestep <= most) return;
   fail(scene, "grains.timestep",
        "is {}, too long for the smallest grain: at most {}, a fifth of its Rayleigh time; lower it, or leave it out",
        us(scene.grains.timestep), us(most));
 }
 
-void check_window(const Scene& scene, const Plan& plan) {
-  double fastest = 0;
-  for (const FlowEstimate& f : flow_estimate(scene)) {
-    const double speed = std::abs(f.velocity) + std::sqrt(scene.gravity * f.depth);
-    if (f.time <= scene.duration && speed > fastest) fastest = speed;
+// [m/s] the fastest that material may get: each source's own speed, what the terrain can add to it, and its waves. Whatever the
+// duration, and whether the estimate's flow gets there or not.
+double fastest(const Scene& scene) {
+  double gained = 0, most_gained = 0;  // [m2/s2] u^2 along the energy line, the best stretch of it
+  const ReferenceSurface surface = reference_surface(scene);
+  constexpr int stations = 400;
+  const double length = scene.terrain.total_length(), step = length / stations, mu = std::tan(scene.material.delta);
+  for (int n = 0; n < stations; ++n) {
+    const double zeta = surface.angle((n + 0.5) * step);
+    gained = std::max(0.0, gained + 2 * scene.gravity * (std::sin(zeta) - mu * std::cos(zeta)) * step);
+    most_gained = std::max(most_gained, gained);
   }
-  const double d = scene.grains.diameter, travel = fastest * scene.grains.window * plan.engine_dt;
+  const auto speed = [&](double start, double depth) {
+    return std::sqrt(start * start + most_gained) + std::sqrt(scene.gravity * depth);
+  };
+  double most = 0;
+  for (const FlowEstimate& f : flow_estimate(scene))
+    most = std::max(most, std::abs(f.velocity) + std::sqrt(scene.gravity * f.depth));
+  if (scene.release.velocity != 0) most = std::max(most, speed(scene.release.velocity, deepest(scene)));
+  for (const SideSpec& side : scene.sides)
+    if (side.kind == SideSpec::Kind::inflow) most = std::max(most, speed(side.velocity, side.depth));
+  return most;
+}
+
+void check_window(const Scene& scene, const Plan& plan) {
+  const double speed = fastest(scene), d = scene.grains.diameter, travel = speed * scene.grains.window * plan.engine_dt;
   if (travel <= most_travel * d) return;
-  fail(scene, "grains.window",
-       "is {} engine steps of {}, in which the flow (up to {:.3g} m/s with its waves) goes {:.3g} grain diameters: at most {}; "
-       "use at "
-       "most {} steps",
-       scene.grains.window, us(plan.engine_dt), fastest, travel / d, most_travel,
-       std::max(1, int(most_travel * d / (fastest * plan.engine_dt))));
+  const double steps = std::floor(most_travel * d / (speed * plan.engine_dt));
+  const std::string remedy = steps >= 1 ? fmt::format("use at most {:.0f} steps", steps)
+                                        : std::string("even one is too long: use a slower flow or larger grains");
+  fail(
+      scene, "grains.window",
+      "is {} engine steps of {}, in which the flow (up to {:.3g} m/s with its waves) goes {:.3g} grain diameters: at most {}; {}",
+      scene.grains.window, us(plan.engine_dt), speed, travel / d, most_travel, remedy);
+}
+
+// On cell lines the zone may cut what the scene's own box held.
+void check_zone(const Scene& scene, const Plan& plan) {
+  if (!plan.zone) return;
+  const ZoneBox& z = plan.zone->box;
+  for (const ObstacleSpec& o : scene.obstacles) {
+    if (z.holds(o) || z.apart(o)) continue;
+    fail(scene, "grains.zone",
+         "on the mesh's lines is x from {:.6g} to {:.6g} m, y from {:.6g} to {:.6g} m, which cuts through obstacles.{}; widen it "
+         "by a cell, or use smaller cells",
+         z.x0, z.x1, z.y0, z.y1, o.name);
+  }
 }
 
 }  // namespace
@@ -58,6 +96,7 @@ void check_limits(const Scene& scene, const Plan& plan) {
   if (scene.mode == Mode::continuum) return;
   check_step(scene);
   check_window(scene, plan);
+  check_zone(scene, plan);
   const auto grains = double(plan.grains[std::size_t(scene.mode)]);
   if (grains > most_grains) {
     fail(scene, "grains.diameter", "is {}, which makes about {:.2g} grains; at most {:.0e}: use larger grains",

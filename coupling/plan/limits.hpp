@@ -6,7 +6,7 @@
 namespace couloir {
 
 // The engine's step at most a quarter longer than the stable one; in a coupling window the flow at most half the driven layer on;
-// at most 1e9 grains. Throws SceneError with place, key, bound and remedy.
+// a zone on cell lines that cuts no obstacle; at most 1e9 grains. Throws SceneError with place, key, bound and remedy.
 void check_limits(const Scene&, const Plan&);
 
 // Throws SceneError where the plan needs more memory than this machine has.

@@ -18,7 +18,7 @@ namespace {
 // Speeds of one core of about 2020. Grains: measured with LIGGGHTS at 2.0 to 3.7 million; two ranks gave 1.7 times one. Cells: a
 // guess.
 constexpr double cell_updates_per_second = 1e7, particle_steps_per_second = 2.5e6, rank_exponent = 0.77;
-constexpr double bytes_per_cell = 400, bytes_per_grain = 2000, bytes_of_engine = 6e7;
+constexpr double bytes_per_cell = 400, bytes_per_grain = 2000;
 
 std::string len(double value) {
   return short_quantity(value, Dimension::length);
@@ -124,9 +124,14 @@ void warn(Plan& plan, const Scene& scene) {
       say(fmt::format("The zone reaches only {:.0f} grain diameters upstream of {}; the pile will reach its face.", before / d,
                       o.name));
     }
-    const bool inside = o.x >= z.x0 && o.x + o.length <= z.x1 && o.y - o.width / 2 >= z.y0 && o.y + o.width / 2 <= z.y1;
-    if (!inside) say(fmt::format("{} lies outside the zone: the continuum flows around it.", o.name));
+    if (!z.holds(o)) say(fmt::format("{} lies outside the zone: the continuum flows around it.", o.name));
   }
+  const TerrainSpec& t = scene.terrain;
+  if (t.kind == TerrainSpec::Kind::chute && z.x1 > t.slope && z.x0 < t.slope + t.arc)
+    say("The zone reaches into the arc: zones there are not validated.");
+  for (int side : {2, 3})
+    if (scene.sides[side].kind == SideSpec::Kind::inflow)
+      say("Flow that comes in from the side meets the zone obliquely: it is kept out as by a wall, which is not validated.");
   const double froude = flow_estimate_at(scene, z.x1).froude;
   if (froude > 0 && froude < 1) {
     say(fmt::format(

@@ -36,6 +36,8 @@ struct Plan {
   std::vector<std::string> warnings;           // whole sentences
 };
 
+inline constexpr double bytes_of_engine = 6e7;  // of each rank, before its grains
+
 // The scene must have passed check_scene. Throws SceneError where it asks too much of the engine (limits.hpp).
 Plan make_plan(const Scene&);
 

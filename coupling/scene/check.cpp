@@ -205,9 +205,8 @@ struct Checker {
 
   void zone_around_obstacle(const ZoneBox& z, const ObstacleSpec& o, double d) const {
     const double x1 = o.x + o.length, y0 = o.y - o.width / 2, y1 = o.y + o.width / 2;
-    const bool apart = x1 <= z.x0 || o.x >= z.x1 || y1 <= z.y0 || y0 >= z.y1;
-    if (apart) return;  // the continuum keeps this one; the plan says so
-    if (o.x < z.x0 || x1 > z.x1 || y0 < z.y0 || y1 > z.y1) {
+    if (z.apart(o)) return;  // the continuum keeps this one; the plan says so
+    if (!z.holds(o)) {
       fail("grains.zone", "cuts through obstacles.{} (x from {} to {}, y from {} to {}); it must hold it whole", o.name, len(o.x),
            len(x1), len(y0), len(y1));
     }
@@ -221,11 +220,22 @@ struct Checker {
     }
   }
 
+  void records() const {
+    constexpr double most_rows = 1e7;
+    for (const auto& [key, interval] :
+         {std::pair{"record.forces", scene.record.forces}, std::pair{"record.frames", scene.record.frames}}) {
+      if (scene.duration <= most_rows * interval) continue;
+      const auto sec = [](double value) { return short_quantity(value, Dimension::time); };
+      fail(key, "is {}, which makes more than ten million records in {}; use at least {}", sec(interval), sec(scene.duration),
+           sec(scene.duration / most_rows));
+    }
+  }
+
   void zone_holds_some_obstacle() const {
     if (scene.mode != Mode::coupled || !scene.grains.zone || scene.obstacles.empty()) return;
     const ZoneBox& z = *scene.grains.zone;
     for (const ObstacleSpec& o : scene.obstacles) {
-      if (o.x >= z.x0 && o.x + o.length <= z.x1 && o.y - o.width / 2 >= z.y0 && o.y + o.width / 2 <= z.y1) return;
+      if (z.holds(o)) return;
     }
     fail("grains.zone", "holds none of the scene's obstacles; move it, or use zone: auto");
   }
@@ -243,6 +253,7 @@ void check_scene(const Scene& scene) {
   check.diameter();
   check.zone();
   check.zone_holds_some_obstacle();
+  check.records();
 }
 
 }  // namespace couloir

@@ -15,7 +15,19 @@ namespace {
 
 using PlaceOf = std::function<std::string(const YAML::Mark&)>;
 
-Node converted(const YAML::Node& yaml, const std::string& place, const PlaceOf& place_of) {
+// An alias may hold itself, or aliases of aliases without end: no scene is that deep or that large.
+struct Limits {
+  int depth = 0;
+  int* nodes;
+  Limits deeper() const { return {depth + 1, nodes}; }
+};
+constexpr int most_depth = 20, most_nodes = 100000;
+
+Node converted(const YAML::Node& yaml, const std::string& place, const PlaceOf& place_of, Limits limits) {
+  if (limits.depth > most_depth || ++*limits.nodes > most_nodes)
+    throw SceneError(
+        fmt::format("{}: this goes deeper than {} levels or holds more than {} entries; does an alias (*name) hold itself?",
+                    place, most_depth, most_nodes));
   Node node;
   node.place = place;
   switch (yaml.Type()) {
@@ -28,7 +40,7 @@ Node converted(const YAML::Node& yaml, const std::string& place, const PlaceOf& 
       break;
     case YAML::NodeType::Sequence:
       node.kind = Node::Kind::list;
-      for (const auto& item : yaml) node.items.push_back(converted(item, place_of(item.Mark()), place_of));
+      for (const auto& item : yaml) node.items.push_back(converted(item, place_of(item.Mark()), place_of, limits.deeper()));
       break;
     case YAML::NodeType::Map:
       node.kind = Node::Kind::mapping;
@@ -40,7 +52,7 @@ Node converted(const YAML::Node& yaml, const std::string& place, const PlaceOf& 
           throw SceneError(
               fmt::format("{}: {} is given twice, first at {}; keep one of them", where, key.Scalar(), first->place));
         }
-        node.entries.emplace_back(key.Scalar(), converted(value, where, place_of));
+        node.entries.emplace_back(key.Scalar(), converted(value, where, place_of, limits.deeper()));
       }
       break;
   }
@@ -65,7 +77,8 @@ std::string read_document_text(const std::string& path) {
 Node parse_document(const std::string& text, const std::string& name) {
   const PlaceOf place_of = [&](const YAML::Mark& mark) { return fmt::format("{}:{}", name, mark.line + 1); };
   try {
-    return converted(YAML::Load(text), name + ":1", place_of);
+    int nodes = 0;
+    return converted(YAML::Load(text), name + ":1", place_of, {0, &nodes});
   } catch (const YAML::Exception& error) {
     throw SceneError(fmt::format("{}: this is not YAML: {}", place_of(error.mark), error.msg));
   }
@@ -73,7 +86,8 @@ Node parse_document(const std::string& text, const std::string& name) {
 
 Node parse_value(const std::string& text, const std::string& place) {
   try {
-    return converted(YAML::Load(text), place, [&](const YAML::Mark&) { return place; });
+    int nodes = 0;
+    return converted(YAML::Load(text), place, [&](const YAML::Mark&) { return place; }, {0, &nodes});
   } catch (const YAML::Exception& error) {
     throw SceneError(fmt::format("{}: '{}' is not a YAML value: {}", place, text, error.msg));
   }

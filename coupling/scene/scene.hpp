@@ -62,7 +62,8 @@ struct ObstacleSpec {
 
 struct SideSpec {
   enum class Kind { wall, outflow, periodic, inflow } kind = Kind::outflow;
-  double depth = 0, velocity = 0;  // inflow only
+  bool open() const { return kind == Kind::outflow || kind == Kind::inflow; }  // material passes it
+  double depth = 0, velocity = 0;                                              // inflow only
 };
 
 struct ContinuumSpec {
@@ -74,7 +75,13 @@ struct ContinuumSpec {
 };
 
 struct ZoneBox {
-  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // [m]
+  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;     // [m]
+  bool holds(const ObstacleSpec& o) const {  // whole
+    return o.x >= x0 && o.x + o.length <= x1 && o.y - o.width / 2 >= y0 && o.y + o.width / 2 <= y1;
+  }
+  bool apart(const ObstacleSpec& o) const {  // not even in part
+    return o.x + o.length <= x0 || o.x >= x1 || o.y + o.width / 2 <= y0 || o.y - o.width / 2 >= y1;
+  }
 };
 
 struct GrainSpec {
@@ -90,9 +97,8 @@ struct GrainSpec {
 };
 
 struct RecordSpec {
-  double frames = 0.02;      // [s] between frames
-  double forces = 0.001;     // [s] between rows of forces.csv, at least
-  double checkpoint = 0.25;  // [s] simulated time between checkpoints
+  double frames = 0.02;   // [s] between frames
+  double forces = 0.001;  // [s] between rows of forces.csv, at least
 };
 
 struct Scene {

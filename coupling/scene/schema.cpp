@@ -231,8 +231,7 @@ void add_record(Keys& k) {
   k.add(mapping("record", "what is written and how often"));
   k.add(number("record.frames", time, "between frames", COULOIR_AT(record.frames)).above(0));
   k.add(number("record.forces", time, "between rows of forces.csv, at least", COULOIR_AT(record.forces)).above(0));
-  k.add(number("record.checkpoint", time, "simulated, between checkpoints", COULOIR_AT(record.checkpoint)).above(0));
-  k.add(number("duration", time, "simulated", COULOIR_AT(duration)).above(0).required());
+  k.add(number("duration", time, "simulated", COULOIR_AT(duration)).above(0).upto(1e6).required());
 }
 
 #undef COULOIR_AT

@@ -26,6 +26,7 @@ constexpr std::array units{
     Unit{"km", Dimension::length, 1e3, 1},
     Unit{"s", Dimension::time, 1, 1},
     Unit{"ms", Dimension::time, 1, 1e3},
+    Unit{"us", Dimension::time, 1, 1e6},
     Unit{"min", Dimension::time, 60, 1},
     Unit{"m/s", Dimension::velocity, 1, 1},
     Unit{"mm/s", Dimension::velocity, 1, 1e3},

@@ -84,6 +84,14 @@ TEST(Build, StepBedHoldsTheWallInWholeCells) {
   EXPECT_EQ(cells.j1, 96);
 }
 
+TEST(Build, ABoxMidwayBetweenLinesStaysSymmetric) {
+  const Scene s = experiment("chiou_wall");
+  const CellBox cells = cells_in({0.5025, 0.6825, -0.1025, 0.1025}, grid_of(s));  // cells of 5 mm: all edges midway
+  EXPECT_EQ(cells.j0 + cells.j1, grid_of(s).ny);
+  EXPECT_EQ(cells.i0, 101);
+  EXPECT_EQ(cells.i1, 137);
+}
+
 TEST(Build, ReferenceSurfaceOfEachKind) {
   const double deg = std::numbers::pi / 180;
   const ReferenceSurface chute = reference_surface(experiment("chiou_wall"));

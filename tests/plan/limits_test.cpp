@@ -39,6 +39,23 @@ TEST(Limits, AWindowIsShorterThanTheFlowsWayThroughHalfTheDrivenLayer) {
   EXPECT_EQ(refusal({{"grains.window", "3000"}, {"mode", "continuum"}}), "");
 }
 
+TEST(Limits, AWindowIsJudgedByTheFastestSourceWhateverTheDuration) {
+  const Overrides fed{{"boundaries.upstream", "{inflow: {depth: 30 mm, velocity: 0.1 m/s}}"}};
+  EXPECT_EQ(refusal(fed), "");
+  Overrides fast = fed;
+  fast.emplace_back("release.velocity", "12 m/s");
+  EXPECT_TRUE(holds(refusal(fast), "grains.window")) << refusal(fast);
+  EXPECT_TRUE(holds(refusal({{"boundaries.left", "{inflow: {depth: 30 mm, velocity: 20 m/s}}"}}), "grains.window"));
+  EXPECT_TRUE(holds(refusal({{"grains.window", "3000"}, {"duration", "0.1 s"}}), "use at most 112 steps"));
+}
+
+TEST(Limits, AZoneThatCutsAnObstacleOnTheMeshsLinesIsRefused) {
+  const Overrides cut{{"continuum.cell", "40 mm"},
+                      {"obstacles.wall.size", "[40 mm, 90 mm, 80 mm]"},
+                      {"grains.zone", "{x: [400 mm, 760 mm], y: [-59 mm, 59 mm]}"}};
+  EXPECT_TRUE(holds(refusal(cut), "cuts through obstacles.wall")) << refusal(cut);
+}
+
 TEST(Limits, GrainsAreCountable) {
   const std::string why = refusal({{"grains.diameter", "0.00001 mm"}});
   EXPECT_TRUE(holds(why, "grains.diameter is 1e-05 mm") && holds(why, "use larger grains")) << why;

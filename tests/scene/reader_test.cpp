@@ -101,7 +101,7 @@ TEST_F(Reader, ListsTheKeysIfNoneIsNear) {
 
 TEST_F(Reader, SaysWhatIsMissing) {
   EXPECT_EQ(error(replaced(good_scene, "duration: 1 s\n", "")),
-            "scene.yaml:1: duration is missing: simulated; give a time in s, ms, min");
+            "scene.yaml:1: duration is missing: simulated; give a time in s, ms, us, min");
   EXPECT_EQ(error(replaced(good_scene, ", width: 0.5 m", "")),
             "scene.yaml:2: terrain.width is missing: across; y runs from -width/2 to width/2; give a length in m, mm, cm, km");
   EXPECT_EQ(error(replaced(good_scene, "kind: block, ", "")),
@@ -125,7 +125,7 @@ TEST_F(Reader, SaysWhichTypeIsWanted) {
   EXPECT_EQ(error(replaced(good_scene, "{left: wall, right: wall}", "wall")),
             "scene.yaml:7: boundaries is 'wall', but must be a mapping with upstream, downstream, left, right");
   EXPECT_EQ(error("duration:\n" + replaced(good_scene, "duration: 1 s\n", "")),
-            "scene.yaml:1: duration is empty, but must be a time in s, ms, min");
+            "scene.yaml:1: duration is empty, but must be a time in s, ms, us, min");
   EXPECT_EQ(error("[1, 2]"), "scene.yaml:1: a scene is a mapping of keys, but this is a list");
 }
 
@@ -143,7 +143,8 @@ TEST_F(Reader, SaysTheBounds) {
             "scene.yaml:9: continuum.cfl is 0.7, out of bounds: it must be above 0 and at most 0.5");
   EXPECT_EQ(error(replaced(good_scene, "35 deg", "95 deg")),
             "scene.yaml:2: terrain.angle is 95 deg, out of bounds: it must be from 0 deg to 89 deg");
-  EXPECT_EQ(error(replaced(good_scene, "1 s", "0 s")), "scene.yaml:12: duration is 0 s, out of bounds: it must be above 0 s");
+  EXPECT_EQ(error(replaced(good_scene, "1 s", "0 s")),
+            "scene.yaml:12: duration is 0 s, out of bounds: it must be above 0 s and at most 1e+06 s");
 }
 
 TEST_F(Reader, SaysTheChoices) {
@@ -200,6 +201,15 @@ TEST_F(Reader, NamesTheWrongOverride) {
   EXPECT_EQ(error(good_scene, {{"grains..seed", "7"}}),
             "--set grains..seed: the key has an empty part; write it like grains.seed");
   EXPECT_EQ(error(good_scene, {{"", "7"}}), "--set : the key has an empty part; write it like grains.seed");
+}
+
+TEST_F(Reader, RefusesAnAliasThatHoldsItself) {
+  EXPECT_NE(error("a: &a [*a]\n").find("does an alias (*name) hold itself?"), std::string::npos);
+}
+
+TEST_F(Reader, RefusesMoreRecordsThanCanBeMeant) {
+  const std::string text = error(good_scene, {{"record.forces", "1e-12 s"}});
+  EXPECT_NE(text.find("use at least"), std::string::npos) << text;
 }
 
 }  // namespace
