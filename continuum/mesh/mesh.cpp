@@ -67,7 +67,7 @@ void Mesh::lay_bed(Block& b, const StepBed& bed) {
       for (std::size_t k = 0; k < bed.obstacles.size(); ++k) {
         const StepObstacle& o = bed.obstacles[k];
         // Where footprints overlap the higher block is what the flow meets.
-        if (x >= o.x0 && x < o.x1 && y >= o.y0 && y < o.y1 && o.height > b.top[c]) {
+        if (o.covers(x, y) && o.height > b.top[c]) {
           b.top[c] = o.height;
           b.obstacle[c] = static_cast<int>(k);
         }

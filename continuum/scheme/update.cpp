@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "continuum/flow/flux.hpp"
 #include "continuum/flow/friction.hpp"
 
 namespace couloir {
@@ -24,13 +25,24 @@ double sum(const std::vector<double>& values) {
   return s;
 }
 
+// The force on the two halves of a cell along one axis: weight, bed and the pressure from its middle to its face. Where both
+// cells at a face are locked, friction holds that half, whatever it takes: else a deposit would push, through a face that no
+// mass passes, a film beside it to any speed.
+struct Halves {
+  double force, held;
+};
+inline Halves halves(double lower, double upper, bool lower_locked, bool upper_locked) {
+  const double free_lower = lower_locked ? 0.0 : lower, free_upper = upper_locked ? 0.0 : upper;
+  return {free_lower + free_upper, (lower - free_lower) + (upper - free_upper)};
+}
+
 template <StageName stage>
 void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, double dt, int j) {
   const int row = b.row(), begin = b.at(0, j);
   const double per_dx = 1 / p.grid.dx, per_dy = 1 / p.grid.dy, mu = p.closure.tan_delta, dry = p.dry_depth;
   double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data();
   double *h0 = s.start.h.data(), *hu0 = s.start.hu.data(), *hv0 = s.start.hv.data();
-  const double *open = s.open.data(), *loose = w.loose.data(), *u = w.u.data();
+  const double *open = s.open.data(), *loose = w.loose.data(), *u = w.u.data(), *kx = w.kx.data(), *ky = w.ky.data();
   const double *x_mass = w.x.mass.data(), *x_normal = w.x.normal.data(), *x_below = w.x.normal_below.data(),
                *x_above = w.x.normal_above.data(), *x_tangent = w.x.tangent.data();
   const double *y_mass = w.y.mass.data(), *y_normal = w.y.normal.data(), *y_below = w.y.normal_below.data(),
@@ -53,16 +65,20 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
     // Flux differences and sources.
     const double raw_h = old_h - dt * ((x_mass[c + 1] - x_mass[c]) * per_dx + (y_mass[c + row] - y_mass[c]) * per_dy);
     const double push_x = old_h * drive[i] + source_x[c], push_y = source_y[c];
-    const double x_by_x = (x_below[c + 1] - x_above[c]) * per_dx, x_by_y = (y_tangent[c + row] - y_tangent[c]) * per_dy;
-    const double y_by_y = (y_below[c + row] - y_above[c]) * per_dy, y_by_x = (x_tangent[c + 1] - x_tangent[c]) * per_dx;
-    const double free_hu = old_hu + dt * (push_x - (x_by_x + x_by_y)), free_hv = old_hv + dt * (push_y - (y_by_x + y_by_y));
+    const double x_by_y = (y_tangent[c + row] - y_tangent[c]) * per_dy, y_by_x = (x_tangent[c + 1] - x_tangent[c]) * per_dx;
+    const double mid_x = pressure(old_h, kx[c] * weight[i]), mid_y = pressure(old_h, ky[c] * weight[i]);
+    const Halves x = halves(0.5 * push_x + (x_above[c] - mid_x) * per_dx, 0.5 * push_x - (x_below[c + 1] - mid_x) * per_dx,
+                            loose[c] + loose[c - 1] == 0, loose[c] + loose[c + 1] == 0);
+    const Halves y = halves(0.5 * push_y + (y_above[c] - mid_y) * per_dy, 0.5 * push_y - (y_below[c + row] - mid_y) * per_dy,
+                            loose[c] + loose[c - row] == 0, loose[c] + loose[c + row] == 0);
+    const double free_hu = old_hu + dt * (x.force - x_by_y), free_hv = old_hv + dt * (y.force - y_by_x);
 
     // Friction. A locked cell among locked cells is held whatever the rounding says.
     const bool held = loose[c] + loose[c - 1] + loose[c + 1] + loose[c - row] + loose[c + row] == 0;
     const double capacity = coulomb_capacity(dt, mu, weight[i], kappa[i], u[c], old_h);
     const double factor = held ? 0.0 : coulomb_factor(std::sqrt(free_hu * free_hu + free_hv * free_hv), capacity);
     double new_hu = free_hu * factor, new_hv = free_hv * factor;
-    double lost_x = 0.5 * (new_hu - free_hu), lost_y = 0.5 * (new_hv - free_hv);
+    double lost_x = 0.5 * ((new_hu - free_hu) - dt * x.held), lost_y = 0.5 * ((new_hv - free_hv) - dt * y.held);
 
     // Depth: clipped as the last resort; no momentum in a film.
     double new_h = std::max(raw_h, 0.0);

@@ -11,11 +11,14 @@ struct StepObstacle {
   std::string name;
   double x0, x1, y0, y1;  // [m] footprint in reference coordinates
   double height;          // [m] above the bed
+  // Whether a cell with this centre belongs to it. Both edges across the slope count, so that a mirrored scene covers the
+  // mirrored cells also where the edges lie on cell centres.
+  bool covers(double x, double y) const { return x >= x0 && x < x1 && y >= y0 && y <= y1; }
 };
 
 struct StepBed {
   std::vector<double> elevation;        // z_b at cell centres [m], [j * nx + i]; empty: 0 everywhere
-  std::vector<StepObstacle> obstacles;  // a cell belongs to the obstacle whose footprint holds its centre
+  std::vector<StepObstacle> obstacles;  // a cell belongs to the obstacle that covers its centre
 };
 
 }  // namespace couloir

@@ -21,7 +21,7 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
     CellBox box{grid.nx, 0, grid.ny, 0};
     for (int j = 0; j < grid.ny; ++j)
       for (int i = 0; i < grid.nx; ++i)
-        if (grid.x(i) > o.x0 && grid.x(i) < o.x1 && grid.y(j) > o.y0 && grid.y(j) < o.y1) {
+        if (o.covers(grid.x(i), grid.y(j))) {
           bed_[std::size_t(j) * grid.nx + i] += o.height;
           box = {std::min(box.i0, i), std::max(box.i1, i + 1), std::min(box.j0, j), std::max(box.j1, j + 1)};
         }
