@@ -30,16 +30,14 @@ void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceV
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
       normal[r] = n.momentum;
-      below[r] = (n.momentum - pressure(over_l, gl)) + pressure(hl, gl);
-      above[r] = (n.momentum - pressure(over_r, gr)) + pressure(hr, gr);
+      below[r] = (n.momentum - pressure(over_l, weight[i])) + pressure(hl, weight[i]);
+      above[r] = (n.momentum - pressure(over_r, weight[i])) + pressure(hr, weight[i]);
     }
   }
 }
 
-void bed_source(const Block& b, const Axis& axis, const Fields& q, const FaceValues& f) {
-  const int step = axis.step;
+void bed_source(const Block& b, const Axis& axis, const FaceValues& f) {
   const double per_spacing = 1 / axis.spacing;
-  const double *h = q.h.data(), *bed = b.bed.data();
   const double *h_lo = f.h_lo.data(), *h_hi = f.h_hi.data(), *eta_lo = f.eta_lo.data(), *eta_hi = f.eta_hi.data();
   const double* weight = b.weight.data() + Block::ghosts;
   for (int j = 0; j < b.ny; ++j) {
@@ -48,9 +46,7 @@ void bed_source(const Block& b, const Axis& axis, const Fields& q, const FaceVal
     for (int i = 0; i < b.nx; ++i) {
       const int c = begin + i;
       const double rise = (eta_hi[c] - h_hi[c]) - (eta_lo[c] - h_lo[c]);
-      const double balanced = axis.k[c] * (0.5 * (h_lo[c] + h_hi[c])) * rise;
-      const double rest = (1 - axis.k[c]) * h[c] * (0.5 * (bed[c + step] - bed[c - step]));
-      axis.source[c] = -(weight[i] * per_spacing) * (balanced + rest);
+      axis.source[c] = -(weight[i] * per_spacing) * (0.5 * (h_lo[c] + h_hi[c])) * rise;
     }
   }
 }

@@ -3,7 +3,10 @@
 // the cells. Exact for a lake at rest.
 //
 //   z* = max(zl, zr),  h* = max(0, h + z - z*) on each side
-//   normal flux seen from one side = HLL(h*l, h*r) + p(h) - p(h*),   p(h) = K g cos(zeta) h^2 / 2
+//   normal flux seen from one side = HLL(h*l, h*r) + b(h) - b(h*),   b(h) = g cos(zeta) h^2 / 2
+//
+// The pressure in the HLL flux carries K, the bed's push b, as in (2.91) and (2.92), does not: it is the same limited push in the
+// cell and at its faces, so that a film on a steep bed is not pushed uphill.
 
 #include "continuum/scheme/axis.hpp"
 
@@ -12,8 +15,7 @@ namespace couloir {
 // Between two locked cells the mass flux is exactly zero.
 void face_fluxes(const Block&, const Axis&, const Scratch&, const FaceValues&);
 
-// axis.source: -K g cos(zeta) h dz_b/dx, which balances the pressure, and -(1 - K) g cos(zeta) h dz_b/dx, the rest of the bed's
-// push, which in (2.91), (2.92) carries no K.
-void bed_source(const Block&, const Axis&, const Fields&, const FaceValues&);
+// axis.source: the bed's push within the cell, -g cos(zeta) h dz_b/dx.
+void bed_source(const Block&, const Axis&, const FaceValues&);
 
 }  // namespace couloir

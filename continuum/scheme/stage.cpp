@@ -21,7 +21,7 @@ void fluxes_along(const Axis& axis, const Parameters& p, const Block& b, const B
   side_fluxes(p, b, axis, w.values);
   rim_fluxes(faces.rim, zone, axis);
   if (b.relief) {
-    bed_source(b, axis, s.now, w.values);
+    bed_source(b, axis, w.values);
   } else {
     std::fill_n(axis.source, b.size(), 0.0);
   }
