@@ -13,7 +13,7 @@
 namespace couloir {
 namespace {
 
-constexpr int most_halvings = 6;  // of a step that would overdraw a cell; then the depth is clipped and the budget says so
+constexpr int most_halvings = 30;  // of a step that would overdraw a cell; a short enough step never does
 
 void check(const SolverSettings& s, const ReferenceSurface& surface) {
   const auto require = [](bool good, const char* sentence) {
@@ -46,6 +46,7 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
       inflow_block(mesh.blocks().size(), 0),
       impulse(bed.obstacles.size()) {
   ghosts.extend(mesh);
+  steepest = mesh.steepest();
   for (StageRecord& r : record) r.tallies.resize(states.size());
   int largest = 0;
   for (std::size_t k = 0; k < states.size(); ++k) {
@@ -73,7 +74,8 @@ void Solver::Impl::step(double dt) {
     choose_blocks(true);
     fill_ghosts();
     run(StageName::corrector, dt);
-    if (!negative() || halvings == most_halvings) break;
+    if (!negative()) break;
+    if (halvings == most_halvings) fail_negative(dt);
     go_back();
     dt *= 0.5;
   }
@@ -84,13 +86,14 @@ void Solver::Impl::step(double dt) {
   rate.reset();
 }
 
-// Positivity asks for rate * dt <= cfl <= 1/2. The weight may speed up what is slow now: its part grows with dt.
+// Positivity asks for rate * dt <= cfl <= 1/2. Slope and bed may speed up what is slow now: their part grows with dt.
 double Solver::Impl::stable_dt() {
   refresh();
   const double r = *rate;
-  const double a = mesh.steepest() / std::min(settings.grid.dx, settings.grid.dy);
-  if (!(r > 0) && a == 0) return std::numeric_limits<double>::max();
-  return 2 * settings.cfl / (r + std::sqrt(r * r + 4 * a * settings.cfl));
+  if (!(r > 0) && steepest == 0) return std::numeric_limits<double>::max();
+  const double dt = 2 * settings.cfl / (r + std::sqrt(r * r + 4 * steepest * settings.cfl));
+  if (!(time + dt > time)) fail_step(dt);
+  return dt;
 }
 
 void Solver::Impl::refresh() {
@@ -104,15 +107,8 @@ void Solver::Impl::refresh() {
     const int b = chosen[k];
     rates[b] = signal_rate(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()]);
   }
-  double fastest = *std::max_element(rates.begin(), rates.end());
-  for (int side = 0; side < 4; ++side) {
-    const Side& s = settings.sides[side];
-    if (s.kind != Side::Kind::inflow) continue;
-    const double speed = s.velocity + std::sqrt(settings.gravity * s.depth);
-    fastest = std::max(fastest, speed / (side < 2 ? settings.grid.dx : settings.grid.dy));
-  }
   check_finite();
-  rate = fastest;
+  rate = *std::max_element(rates.begin(), rates.end());
 }
 
 void Solver::Impl::choose_blocks(bool corrector) {
@@ -234,6 +230,41 @@ void Solver::Impl::check_finite() const {
       throw NumericsError(text.str());
     }
   }
+}
+
+void Solver::Impl::fail_negative(double dt) const {
+  int block = 0;
+  double least = 0;
+  for (const StageRecord& r : record) {
+    for (int k : r.blocks) {
+      if (r.tallies[k].min_depth < least) least = r.tallies[k].min_depth, block = k;
+    }
+  }
+  const Block& b = mesh.blocks()[block];
+  std::ostringstream text;
+  text << "More material would leave a cell than it holds (depth " << least << " m) between x = " << settings.grid.x(b.i0)
+       << " m and " << settings.grid.x(b.i0 + b.nx - 1) << " m, y = " << settings.grid.y(b.j0) << " m and "
+       << settings.grid.y(b.j0 + b.ny - 1) << " m at t = " << time << " s (step " << steps << "), even with a step of " << dt
+       << " s; check what is handed in there, or lower continuum.cfl.";
+  throw NumericsError(text.str());
+}
+
+void Solver::Impl::fail_step(double dt) const {
+  const Grid& g = settings.grid;
+  int i = 0, j = 0;
+  double fastest = -1;
+  for (int n = 0; n < g.ny; ++n) {
+    for (int m = 0; m < g.nx; ++m) {
+      const FlowState q = get(m, n);
+      const double speed = q.h >= settings.dry_depth ? std::hypot(q.hu, q.hv) / q.h + std::sqrt(settings.gravity * q.h) : 0.0;
+      if (speed > fastest) fastest = speed, i = m, j = n;
+    }
+  }
+  std::ostringstream text;
+  text << "The flow has become so fast that a stable step of " << dt << " s no longer moves the time t = " << time << " s (step "
+       << steps << "): " << fastest << " m/s with its waves in cell (" << i << ", " << j << ") at x = " << g.x(i)
+       << " m, y = " << g.y(j) << " m; check what was released or handed in there, or use larger cells.";
+  throw NumericsError(text.str());
 }
 
 void Solver::Impl::cover(const CellBox& box) {

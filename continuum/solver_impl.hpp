@@ -33,7 +33,10 @@ struct Solver::Impl {
   void go_back();         // to the start of the step
   void collect_tallies();
   void count_zone(double dt);
-  void check_finite() const;  // throws NumericsError
+  // These throw NumericsError, naming place and time.
+  void check_finite() const;
+  [[noreturn]] void fail_negative(double dt) const;
+  [[noreturn]] void fail_step(double dt) const;
 
   // The covered zone.
   void cover(const CellBox&);
@@ -65,6 +68,7 @@ struct Solver::Impl {
   std::vector<std::array<double, 2>> impulse;
   std::vector<Gauge> gauges;
   Budget budget;
+  double steepest = 0;  // how fast slope and bed speed the flow up [1/s2]
   double time = 0;
   std::int64_t steps = 0, cell_updates = 0;
   double min_depth = 0;

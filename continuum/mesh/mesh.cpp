@@ -41,6 +41,24 @@ CellPlace Mesh::place(int i, int j) const {
   return {number, b.at(i - b.i0, j - b.j0)};
 }
 
+double Mesh::steepest() const {
+  const double dx = grid_.dx, dy = grid_.dy;
+  double most = 0;
+  for (const Block& b : blocks_) {
+    for (int j = 0; j < b.ny; ++j) {
+      for (int i = 0; i < b.nx; ++i) {
+        const int c = b.at(i, j), row = b.row(), column = i + Block::ghosts;
+        const auto rise = [&](int step) {
+          return std::max(std::abs(b.bed[c + step] - b.bed[c]), std::abs(b.bed[c] - b.bed[c - step]));
+        };
+        const double along = std::abs(b.drive[column]) + b.weight[column] * rise(1) / dx;
+        most = std::max(most, along / dx + b.weight[column] * rise(row) / (dy * dy));
+      }
+    }
+  }
+  return most;
+}
+
 void Mesh::lay_columns(Block& b, const ReferenceSurface& surface, double gravity, bool curvature) {
   for (int i = -Block::ghosts; i < b.nx + Block::ghosts; ++i) {
     // Wrapped round, so that a periodic ghost column has the bits of the column it stands for.
@@ -51,7 +69,6 @@ void Mesh::lay_columns(Block& b, const ReferenceSurface& surface, double gravity
     b.tan_zeta.push_back(std::tan(zeta));
     b.kappa.push_back(curvature ? surface.curvature(grid_.x(column)) : 0.0);
     b.weight_face.push_back(gravity * std::cos(surface.angle(grid_.x0 + (b.i0 + i) * grid_.dx)));
-    steepest_ = std::max(steepest_, std::abs(b.drive.back()));
   }
 }
 

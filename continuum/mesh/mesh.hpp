@@ -27,7 +27,9 @@ class Mesh {
   int blocks_x() const { return blocks_x_; }
   int blocks_y() const { return blocks_y_; }
   CellPlace place(int i, int j) const;           // of the grid cell (i, j)
-  double steepest() const { return steepest_; }  // greatest g |sin(zeta)| [m/s2]
+  // Greatest rate at which slope and bed speed up what lies still, in cells [1/s2]:
+  // (g |sin(zeta)| + g cos(zeta) |dz_b/dx|) / dx + g cos(zeta) |dz_b/dy| / dy. Needs the bed in the ghosts.
+  double steepest() const;
 
  private:
   void lay_columns(Block&, const ReferenceSurface&, double gravity, bool curvature);
@@ -35,7 +37,6 @@ class Mesh {
 
   Grid grid_;
   int edge_ = 0, blocks_x_ = 0, blocks_y_ = 0;
-  double steepest_ = 0;
   std::vector<Block> blocks_;
 };
 

@@ -6,6 +6,19 @@
 
 namespace couloir {
 
+namespace {
+
+// What the bed's rise at a face gives to a flow of depth h, velocity u towards it, of which only h* reaches over: the pressure on
+// the blocked part, and as far as the face is blocked, what a wall gives to a flow that runs into it. The square keeps the
+// second order where the rise is small.
+inline double bed_push(double h, double over, double u, double weight) {
+  const double blocked = h > 0 ? 1 - over / h : 0.0;
+  const double still = pressure(h, weight);
+  return (still - pressure(over, weight)) + blocked * blocked * (wall_flux(h, u, weight) - still);
+}
+
+}  // namespace
+
 void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
   const int step = axis.step;
   FaceFluxes& out = *axis.fluxes;
@@ -30,8 +43,8 @@ void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceV
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
       normal[r] = n.momentum;
-      below[r] = (n.momentum - pressure(over_l, weight[i])) + pressure(hl, weight[i]);
-      above[r] = (n.momentum - pressure(over_r, weight[i])) + pressure(hr, weight[i]);
+      below[r] = n.momentum + bed_push(hl, over_l, un_hi[l], weight[i]);
+      above[r] = n.momentum + bed_push(hr, over_r, -un_lo[r], weight[i]);
     }
   }
 }

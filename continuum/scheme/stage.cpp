@@ -57,9 +57,12 @@ void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, con
 double signal_rate(const Parameters& p, const Block& b, const BlockFaces& faces, const BlockState& s, Scratch& w) {
   find_velocity(p, b, s.now, w);
   find_earth_pressure(p, b, faces.steps, s.now, w);
+  const auto comes_in = [&](int side) { return p.sides[side].kind == Side::Kind::inflow ? 1 : 0; };
+  const int i0 = b.i0 == 0 ? -comes_in(0) : 0, i1 = b.nx + (b.i0 + b.nx == p.grid.nx ? comes_in(1) : 0);
+  const int j0 = b.j0 == 0 ? -comes_in(2) : 0, j1 = b.ny + (b.j0 + b.ny == p.grid.ny ? comes_in(3) : 0);
   double rate = 0;
-  for (int j = 0; j < b.ny; ++j) {
-    for (int i = 0; i < b.nx; ++i) {
+  for (int j = j0; j < j1; ++j) {
+    for (int i = i0; i < i1; ++i) {
       const int c = b.at(i, j);
       const double gh = b.weight[i + Block::ghosts] * std::max(0.0, s.now.h[c]);
       const double here =
