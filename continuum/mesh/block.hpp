@@ -28,6 +28,8 @@ struct Block {
   std::vector<double> weight;       // g cos(zeta) at cell centres [m/s2]
   std::vector<double> weight_face;  // g cos(zeta) at the x-face below the cell
   std::vector<double> drive;        // g sin(zeta)
+  std::vector<double> foot_depth;   // 2 dx tan(zeta) of the cell below the x-face below the cell [m]
+  std::vector<double> no_depth;     // 0
   std::vector<double> tan_zeta;
   std::vector<double> kappa;  // curvature [1/m]; 0 where the closure leaves it out
 };

@@ -52,7 +52,7 @@ double Mesh::steepest() const {
           return std::max(std::abs(b.bed[c + step] - b.bed[c]), std::abs(b.bed[c] - b.bed[c - step]));
         };
         const double along = std::abs(b.drive[column]) + b.weight[column] * rise(1) / dx;
-        most = std::max(most, along / dx + b.weight[column] * rise(row) / (dy * dy));
+        most = std::max(most, along / dx + b.weight[column] * rise(row) / dy / dy);
       }
     }
   }
@@ -67,6 +67,8 @@ void Mesh::lay_columns(Block& b, const ReferenceSurface& surface, double gravity
     b.weight.push_back(gravity * std::cos(zeta));
     b.drive.push_back(gravity * std::sin(zeta));
     b.tan_zeta.push_back(std::tan(zeta));
+    b.foot_depth.push_back(2 * grid_.dx * (i > -Block::ghosts ? b.tan_zeta[i + Block::ghosts - 1] : b.tan_zeta.back()));
+    b.no_depth.push_back(0);
     b.kappa.push_back(curvature ? surface.curvature(grid_.x(column)) : 0.0);
     b.weight_face.push_back(gravity * std::cos(surface.angle(grid_.x0 + (b.i0 + i) * grid_.dx)));
   }

@@ -26,7 +26,7 @@ class Mesh {
   std::vector<Block>& blocks() { return blocks_; }
   int blocks_x() const { return blocks_x_; }
   int blocks_y() const { return blocks_y_; }
-  CellPlace place(int i, int j) const;           // of the grid cell (i, j)
+  CellPlace place(int i, int j) const;  // of the grid cell (i, j)
   // Greatest rate at which slope and bed speed up what lies still, in cells [1/s2]:
   // (g |sin(zeta)| + g cos(zeta) |dz_b/dx|) / dx + g cos(zeta) |dz_b/dy| / dy. Needs the bed in the ghosts.
   double steepest() const;

@@ -14,17 +14,30 @@ struct Axis {
   double face_length;    // [m]
   const double* un;      // velocity along and across
   const double* ut;
-  const double* k;       // earth pressure coefficient
-  const double* weight;  // g cos(zeta) at the faces, by column: index i + ghosts
+  const double* k;           // earth pressure coefficient
+  const double* weight;      // g cos(zeta) at the faces, by column: index i + ghosts
+  const double* foot_depth;  // [m] 2 dx tan(zeta) of the cell below the face; 0 across the slope; like weight
   FaceFluxes* fluxes;
   double* source;
 
   static Axis x(const Block& b, Scratch& w, double dx, double dy) {
-    return {true, 1, b.nx + 1, b.ny, dx, dy, w.u.data(), w.v.data(), w.kx.data(), b.weight_face.data(), &w.x, w.source_x.data()};
+    return {true,
+            1,
+            b.nx + 1,
+            b.ny,
+            dx,
+            dy,
+            w.u.data(),
+            w.v.data(),
+            w.kx.data(),
+            b.weight_face.data(),
+            b.foot_depth.data(),
+            &w.x,
+            w.source_x.data()};
   }
   static Axis y(const Block& b, Scratch& w, double dx, double dy) {
-    return {false,      b.row(),    b.nx,        b.ny + 1,        dy,   dx,
-            w.v.data(), w.u.data(), w.ky.data(), b.weight.data(), &w.y, w.source_y.data()};
+    return {false,           b.row(),           b.nx, b.ny + 1,         dy, dx, w.v.data(), w.u.data(), w.ky.data(),
+            b.weight.data(), b.no_depth.data(), &w.y, w.source_y.data()};
   }
   // Cells whose face values the block's fluxes need: the interior and one ghost at either end of the axis.
   int first_i() const { return along_x ? -1 : 0; }

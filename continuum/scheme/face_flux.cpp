@@ -8,13 +8,12 @@ namespace couloir {
 
 namespace {
 
-// What the bed's rise at a face gives to a flow of depth h, velocity u towards it, of which only h* reaches over: the pressure on
-// the blocked part, and as far as the face is blocked, what a wall gives to a flow that runs into it. The square keeps the
-// second order where the rise is small.
-inline double bed_push(double h, double over, double u, double weight) {
-  const double blocked = h > 0 ? 1 - over / h : 0.0;
-  const double still = pressure(h, weight);
-  return (still - pressure(over, weight)) + blocked * blocked * (wall_flux(h, u, weight) - still);
+// What a slope's foot gives to a flow that it cannot hold by pressure: where the bed blocks the way down (h* < h reaches over),
+// the weight of the cell's material asks for a depth of 2 dx tan(zeta); a thinner flow meets a wall there, in proportion. The
+// square keeps the second order where the rise is small.
+inline double foot(double h, double over, double u, double weight, double deep) {
+  const double blocked = h > 0 ? 1 - over / h : 0.0, thin = h < deep ? 1 - h / deep : 0.0;
+  return blocked * blocked * thin * (wall_flux(h, std::max(u, 0.0), weight) - pressure(h, weight));
 }
 
 }  // namespace
@@ -29,7 +28,7 @@ void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceV
   double *below = out.normal_below.data(), *above = out.normal_above.data();
   for (int j = 0; j < axis.faces_j; ++j) {
     const int begin = b.at(0, j);
-    const double* weight = axis.weight + Block::ghosts;
+    const double *weight = axis.weight + Block::ghosts, *deep = axis.foot_depth + Block::ghosts;
 #pragma omp simd
     for (int i = 0; i < axis.faces_i; ++i) {
       const int r = begin + i, l = r - step;
@@ -43,8 +42,9 @@ void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceV
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
       normal[r] = n.momentum;
-      below[r] = n.momentum + bed_push(hl, over_l, un_hi[l], weight[i]);
-      above[r] = n.momentum + bed_push(hr, over_r, -un_lo[r], weight[i]);
+      below[r] = n.momentum + (pressure(hl, weight[i]) - pressure(over_l, weight[i]));
+      above[r] = n.momentum + (pressure(hr, weight[i]) - pressure(over_r, weight[i]));
+      below[r] += foot(hl, over_l, un_hi[l], weight[i], deep[i]);
     }
   }
 }

@@ -3,12 +3,11 @@
 // the cells. Exact for a lake at rest.
 //
 //   z* = max(zl, zr),  h* = max(0, h + z - z*) on each side
-//   normal flux seen from one side = HLL(h*l, h*r) + b(h) - b(h*) + (1 - h*/h)^2 (wall_flux(h, u) - b(h))
-//   b(h) = g cos(zeta) h^2 / 2
+//   normal flux seen from one side = HLL(h*l, h*r) + b(h) - b(h*),   b(h) = g cos(zeta) h^2 / 2
 //
 // The pressure in the HLL flux carries K, the bed's push b, as in (2.91) and (2.92), does not: it is the same limited push in the
-// cell and at its faces, so that a film on a steep bed is not pushed uphill. The last term
-// stops what runs into a bed that rises above its surface: without it the slope's drive would pile up momentum there for ever.
+// cell and at its faces, so that a film on a steep bed is not pushed uphill. A film whose way down the slope is blocked by the
+// bed meets a wall there: else the slope's drive, which no pressure of a film balances, would give it speed without end.
 
 #include "continuum/scheme/axis.hpp"
 

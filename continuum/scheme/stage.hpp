@@ -25,7 +25,8 @@ struct BlockFaces {
 void run_stage(const Parameters&, const Block&, const BlockFaces&, const CoveredZone&, BlockState&, Scratch&, StageName,
                double dt, Tally&);
 
-// Fastest rate at which a signal crosses a cell of this block or of an inflow beside it: max of (|u| + c_x)/dx + (|v| + c_y)/dy [1/s].
+// Fastest rate at which a signal crosses a cell of this block or of an inflow beside it: max of (|u| + c_x)/dx + (|v| + c_y)/dy
+// [1/s].
 double signal_rate(const Parameters&, const Block&, const BlockFaces&, const BlockState&, Scratch&);
 
 }  // namespace couloir
