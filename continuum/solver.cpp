@@ -116,16 +116,8 @@ void Solver::step(double dt) {
   impl_->step(dt);
 }
 
-void Solver::advance_to(double t_end) {
-  while (time() < t_end) {
-    const double left = t_end - time(), dt = stable_dt();
-    if (left <= dt) {
-      step(left);
-      impl_->time = t_end;
-    } else {
-      step(std::min(dt, 0.5 * left));  // no splinter of a last step
-    }
-  }
+void Solver::set_time(double t) {
+  impl_->time = t;
 }
 
 void Solver::cover(const CellBox& box) {

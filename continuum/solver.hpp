@@ -15,54 +15,35 @@
 #include <string>
 #include <vector>
 
-#include "continuum/boundary/side.hpp"
-#include "continuum/flow/closure.hpp"
-#include "continuum/flow/flow_state.hpp"
-#include "continuum/mesh/grid.hpp"
-#include "continuum/scheme/budget.hpp"
-#include "continuum/scheme/limiter.hpp"
+#include "continuum/flow_model.hpp"
 #include "continuum/terrain/reference_surface.hpp"
 #include "continuum/terrain/step_bed.hpp"
 
 namespace couloir {
 
-struct SolverSettings {
-  Grid grid;
-  double gravity = 9.81;  // [m/s2]
-  Closure closure;        // earth pressure, basal friction, curvature on or off
-  Limiter limiter = Limiter::minmod;
-  std::array<Side, 4> sides{};  // by SideName: upstream, downstream, left (y low), right (y high)
-  double cfl = 0.45;            // at most 0.5: the positivity bound of the scheme
-  double dry_depth = 1e-7;      // [m] below it a cell carries mass but no momentum
-  int block = 32;               // cells along a block's edge
-  int threads = 1;
-};
-
-class Solver {
+class Solver final : public FlowModel {
  public:
   Solver(const SolverSettings&, const ReferenceSurface&, const StepBed&);
-  ~Solver();
+  ~Solver() override;
   Solver(Solver&&) noexcept;
 
-  const Grid& grid() const;
-  double time() const;  // [s]
-  std::int64_t steps() const;
-  std::int64_t cell_updates() const;  // active cells times stages
+  const Grid& grid() const override;
+  double time() const override;
+  std::int64_t steps() const override;
+  std::int64_t cell_updates() const override;
 
-  void set(const std::function<FlowState(double x, double y)>&);  // at cell centres
-  void set(int i, int j, const FlowState&);
-  FlowState at(int i, int j) const;
-  void gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const;  // [j * nx + i]
-  double volume() const;                                     // [m3] of the cells that are not covered; summed in a fixed order
-  std::array<double, 2> momentum() const;                    // [m4/s] of the cells that are not covered
-  double min_depth() const;                                  // [m] least depth met so far in an active cell, before any clipping
-  double max_speed() const;                                  // [m/s]
+  void set(const std::function<FlowState(double x, double y)>&) override;
+  void set(int i, int j, const FlowState&) override;
+  FlowState at(int i, int j) const override;
+  void gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const override;
+  double volume() const override;                   // [m3] of the cells that are not covered
+  std::array<double, 2> momentum() const override;  // [m4/s] of the cells that are not covered
+  double min_depth() const override;
+  double max_speed() const override;
   std::array<double, 2> earth_pressure(int i, int j) const;  // K_x, K_y of the cell's present state
 
-  double stable_dt() const;  // [s] for the present state
-  // One step of at most dt; throws NumericsError when the state is not finite, naming the cell.
-  void step(double dt);
-  void advance_to(double t_end);  // as many stable steps as it takes, the last one ends at t_end
+  double stable_dt() const override;
+  void step(double dt) override;
 
   // The covered zone: cells whose material is not the solver's. They are not stepped; their neighbours see the state given
   // here in reconstructions; every face of the rim passes exactly the imposed flux (limited so that no cell is emptied).
@@ -76,20 +57,19 @@ class Solver {
   FaceFlux passed(SideName, int k) const;
   void reset_rim();
 
-  // Impulse per density on obstacle `id` of the StepBed since the start [m4/s]; times bulk density and cos-free: N s.
-  std::array<double, 2> obstacle_impulse(int id) const;
-  // Volume that crossed the x-face at i (between cells i-1 and i) for rows [j0, j1) since the start, downslope positive [m3].
-  int add_gauge(int i, int j0, int j1);
-  double gauge(int id) const;
+  std::array<double, 2> obstacle_impulse(int id) const override;  // of the StepBed
+  int add_gauge(int i, int j0, int j1) override;
+  double gauge(int id) const override;
 
-  const Budget& budget() const;
-  void reset_budget();
+  const Budget& budget() const override;
+  void reset_budget() override;
 
-  // The whole state as bytes: restore() continues to the same bits.
-  std::vector<std::uint8_t> checkpoint() const;
-  void restore(const std::vector<std::uint8_t>&);
+  std::vector<std::uint8_t> checkpoint() const override;
+  void restore(const std::vector<std::uint8_t>&) override;
 
  private:
+  void set_time(double t) override;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

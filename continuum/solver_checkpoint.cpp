@@ -1,9 +1,8 @@
 // The solver's state as bytes, in one fixed order: header, counters, cells, zone, sums.
 
-#include <cstring>
 #include <stdexcept>
-#include <type_traits>
 
+#include "continuum/bytes.hpp"
 #include "continuum/solver_impl.hpp"
 
 namespace couloir {
@@ -11,44 +10,13 @@ namespace {
 
 constexpr std::uint64_t signature = 0x31526c6f75636f63;  // changes with the layout
 
-class Writer {
- public:
-  template <class T>
-  void operator()(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    const auto* p = reinterpret_cast<const std::uint8_t*>(&value);
-    bytes.insert(bytes.end(), p, p + sizeof(T));
-  }
-  std::vector<std::uint8_t> bytes;
-};
-
-class Reader {
- public:
-  explicit Reader(const std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
-  template <class T>
-  T take() {
-    static_assert(std::is_trivially_copyable_v<T>);
-    if (bytes_.size() - at_ < sizeof(T))
-      throw std::invalid_argument("The continuum's checkpoint is cut short; restore an earlier one.");
-    T value;
-    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
-    at_ += sizeof(T);
-    return value;
-  }
-  bool done() const { return at_ == bytes_.size(); }
-
- private:
-  const std::vector<std::uint8_t>& bytes_;
-  std::size_t at_ = 0;
-};
-
 constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
 
 }  // namespace
 
 std::vector<std::uint8_t> Solver::checkpoint() const {
   const Impl& m = *impl_;
-  Writer put;
+  ByteWriter put;
   put(signature);
   put(m.settings.grid.nx), put(m.settings.grid.ny), put(static_cast<int>(m.impulse.size()));
   put(m.time), put(m.steps), put(m.cell_updates), put(m.min_depth), put(m.min_depth_met);
@@ -68,7 +36,7 @@ std::vector<std::uint8_t> Solver::checkpoint() const {
 
 void Solver::restore(const std::vector<std::uint8_t>& bytes) {
   Impl& m = *impl_;
-  Reader in(bytes);
+  ByteReader in(bytes);
   const bool ours = in.take<std::uint64_t>() == signature && in.take<int>() == m.settings.grid.nx &&
                     in.take<int>() == m.settings.grid.ny && in.take<int>() == static_cast<int>(m.impulse.size());
   if (!ours)

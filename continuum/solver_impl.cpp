@@ -22,6 +22,7 @@ void check(const SolverSettings& s, const ReferenceSurface& surface) {
   require(s.gravity > 0, "The gravity must be positive; correct the scene.");
   require(s.cfl > 0 && s.cfl <= 0.5,
           "The CFL number must be above 0 and at most 0.5, where the depth stays positive; lower continuum.cfl.");
+  require(s.limiter != Limiter::eno, "The central-upwind scheme has no ENO slopes; use another limiter, or the scheme noc.");
   require(s.dry_depth > 0, "The dry depth must be positive; correct the settings.");
   require(s.threads >= 1, "The continuum needs at least one thread; correct the number of threads.");
   require(s.closure.tan_delta >= 0, "The basal friction must not be negative; correct the material.");

@@ -7,7 +7,7 @@
 
 namespace couloir {
 
-enum class Limiter { minmod, van_leer, mc, superbee };
+enum class Limiter { minmod, van_leer, mc, superbee, eno };  // eno: scheme noc only (noc/slopes.hpp)
 
 struct LimiterMinmod {
   static double slope(double a, double b) { return a * b > 0 ? (std::abs(a) < std::abs(b) ? a : b) : 0.0; }
@@ -44,6 +44,8 @@ void with_limiter(Limiter limiter, F&& f) {
       return f(LimiterMc{});
     case Limiter::superbee:
       return f(LimiterSuperbee{});
+    case Limiter::eno:
+      break;  // not of this kind: it looks at five cells; the solver refuses it
   }
 }
 

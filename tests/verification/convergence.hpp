@@ -10,7 +10,7 @@ namespace couloir::test {
 
 // L1 error of the depth in row 0 [m2]; exact: depth at x.
 template <class F>
-double depth_error(const Solver& s, F&& exact) {
+double depth_error(const FlowModel& s, F&& exact) {
   double sum = 0;
   for (int i = 0; i < s.grid().nx; ++i) sum += std::abs(s.at(i, 0).h - exact(s.grid().x(i)));
   return sum * s.grid().dx;

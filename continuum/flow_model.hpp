@@ -1,0 +1,76 @@
+#pragma once
+// What a run needs of a continuum solver, whatever its scheme: settings in, step, state out.
+//
+//   Solver (solver.hpp)              central upwind; has the covered zone of the coupled mode
+//   NocSolver (noc/noc_solver.hpp)   the staggered non-oscillatory central scheme
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "continuum/boundary/side.hpp"
+#include "continuum/flow/closure.hpp"
+#include "continuum/flow/flow_state.hpp"
+#include "continuum/mesh/grid.hpp"
+#include "continuum/scheme/budget.hpp"
+#include "continuum/scheme/limiter.hpp"
+
+namespace couloir {
+
+struct SolverSettings {
+  Grid grid;
+  double gravity = 9.81;  // [m/s2]
+  Closure closure;        // earth pressure, basal friction, curvature on or off
+  Limiter limiter = Limiter::minmod;
+  std::array<Side, 4> sides{};  // by SideName: upstream, downstream, left (y low), right (y high)
+  double cfl = 0.45;            // at most 0.5: the bound of both schemes
+  double dry_depth = 1e-7;      // [m] below it a cell carries mass but no momentum
+  int block = 32;               // cells along a block's edge; central upwind only
+  int threads = 1;
+};
+
+class FlowModel {
+ public:
+  virtual ~FlowModel() = default;
+
+  virtual const Grid& grid() const = 0;
+  virtual double time() const = 0;  // [s]
+  virtual std::int64_t steps() const = 0;
+  virtual std::int64_t cell_updates() const = 0;  // active cells times stages
+
+  virtual void set(const std::function<FlowState(double x, double y)>&) = 0;  // at cell centres
+  virtual void set(int i, int j, const FlowState&) = 0;
+  virtual FlowState at(int i, int j) const = 0;
+  virtual void gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const = 0;  // [j * nx + i]
+  virtual double volume() const = 0;                   // [m3] summed in a fixed order
+  virtual std::array<double, 2> momentum() const = 0;  // [m4/s]
+  virtual double min_depth() const = 0;                // [m] least depth met so far in an active cell, before any clipping
+  virtual double max_speed() const = 0;                // [m/s]
+
+  virtual double stable_dt() const = 0;  // [s] for the present state
+  // One step of at most dt; throws NumericsError when the state is not finite, naming the cell.
+  virtual void step(double dt) = 0;
+  void advance_to(double t_end);  // as many stable steps as it takes, the last one ends at t_end
+
+  // Impulse per density on obstacle `id` since the start [m4/s]; times bulk density: N s.
+  virtual std::array<double, 2> obstacle_impulse(int id) const = 0;
+  // Volume that crossed the x-face at i (between cells i-1 and i) for rows [j0, j1) since the start, downslope positive [m3].
+  virtual int add_gauge(int i, int j0, int j1) = 0;
+  virtual double gauge(int id) const = 0;
+
+  virtual const Budget& budget() const = 0;
+  virtual void reset_budget() = 0;
+
+  // The whole state as bytes: restore() continues to the same bits.
+  virtual std::vector<std::uint8_t> checkpoint() const = 0;
+  virtual void restore(const std::vector<std::uint8_t>&) = 0;
+
+ protected:
+  FlowModel() = default;
+  FlowModel(const FlowModel&) = default;
+  FlowModel& operator=(const FlowModel&) = default;
+  virtual void set_time(double t) = 0;  // the end of advance_to, without round-off
+};
+
+}  // namespace couloir

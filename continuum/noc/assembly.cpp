@@ -1,0 +1,219 @@
+// The corrector (3.12): each point gathers four shares, then friction.
+
+#include <algorithm>
+#include <cmath>
+
+#include "continuum/flow/flux.hpp"
+#include "continuum/noc/noc_impl.hpp"
+
+namespace couloir {
+
+using noc::Push;
+using noc::share;
+using noc::share_depth;
+
+// Column (row) `corner` of the corners has the cells corner - 1 and corner as givers: which = 0, 1.
+NocSolver::Impl::Line NocSolver::Impl::line(int corner, int which, int cells, int low_side) const {
+  const int c = corner - 1 + which;
+  const double own = which == 0 ? 1 : -1;  // the lower cell gives by its upper quadrants
+  if (c >= 0 && c < cells) return {c, own, 1, true};
+  const int side = c < 0 ? low_side : low_side + 1, last = c < 0 ? 0 : cells - 1;
+  switch (settings.sides[side].kind) {
+    case Side::Kind::wall:
+      return {last, -own, -1, false};
+    case Side::Kind::periodic:
+      return {c < 0 ? cells - 1 : 0, own, 1, true};
+    case Side::Kind::inflow:
+      return {last, own, 1, false, -1, side};
+    case Side::Kind::outflow:
+      break;
+  }
+  return {last, own, 1, false, side};
+}
+
+NocSolver::Impl::Giver NocSolver::Impl::giver(int i, int j, int a, int b) const {
+  Line x = lines_x[2 * i + a], y = lines_y[2 * j + b];
+  const int c = centres.at(x.index, y.index);
+  const Point& p = centres.points[c];
+  // Beyond an outflow: the last cell again while it flows out, now and at the half time; else a wall, so that nothing comes in.
+  const auto close = [](Line& l, double now, double half) {
+    const double outward = l.outflow % 2 == 0 ? -1 : 1;
+    if (!(outward * now > 0 && outward * half > 0)) l.corner = -l.corner, l.flip = -1;
+  };
+  if (x.outflow >= 0) close(x, p.q.hu, p.half.hu);
+  if (y.outflow >= 0) close(y, p.q.hv, p.half.hv);
+  Giver g{&p,
+          x.corner,
+          y.corner,
+          x.flip,
+          y.flip,
+          2 * x.index + (x.corner > 0),
+          2 * y.index + (y.corner > 0),
+          x.inside && y.inside,
+          centres.locked[c] != 0};
+  const int side = x.inflow >= 0 ? x.inflow : y.inflow;
+  if (side >= 0) g.p = &inflow[side], g.locked = settings.sides[side].depth < settings.dry_depth;
+  return g;
+}
+
+// Beyond an inflow stands what it is given, uniform and steady.
+void NocSolver::Impl::make_inflow(double tau) {
+  for (int side = 0; side < 4; ++side) {
+    const Side& s = settings.sides[side];
+    if (s.kind != Side::Kind::inflow) continue;
+    const bool along_x = side < 2;
+    const double inward = side % 2 == 0 ? s.velocity : -s.velocity, u = along_x ? inward : 0.0, v = along_x ? 0.0 : inward;
+    const double weight = terrain.weight(side == 1 ? terrain.quarters_x() - 1 : 0);
+    const EarthPressure& k = settings.closure.earth_pressure;
+    const FaceFlux f = flux_x(s.depth, u, v, k.x_active * weight), g = flux_y(s.depth, u, v, k.y_active_active * weight);
+    const double lx = 0.5 * tau / settings.grid.dx, ly = 0.5 * tau / settings.grid.dy;
+    Point p;
+    p.q = p.half = {s.depth, s.depth * u, s.depth * v};
+    p.flux_x = {lx * f.mass, lx * f.mom_x, lx * f.mom_y};
+    p.flux_y = {ly * g.mass, ly * g.mom_x, ly * g.mom_y};
+    p.reach = s.velocity + 2 * std::sqrt(std::max(k.x_active, k.y_active_active) * weight * s.depth);
+    p.keep = own_keep(p);
+    inflow[side] = p;
+  }
+}
+
+bool NocSolver::Impl::on_side(int i, int j) const {
+  const Grid& g = settings.grid;
+  return ((i == 0 || i == g.nx) && settings.sides[0].kind != Side::Kind::periodic) ||
+         ((j == 0 || j == g.ny) && settings.sides[2].kind != Side::Kind::periodic);
+}
+
+bool NocSolver::Impl::on_open_side(int i, int j) const {
+  const Grid& g = settings.grid;
+  const bool at[] = {i == 0, i == g.nx, j == 0, j == g.ny};
+  for (int side = 0; side < 4; ++side) {
+    const Side::Kind kind = settings.sides[side].kind;
+    if (at[side] && (kind == Side::Kind::outflow || kind == Side::Kind::inflow)) return true;
+  }
+  return false;
+}
+
+bool NocSolver::Impl::counted(int i, int j) const {
+  const Grid& g = settings.grid;
+  return !(i == g.nx && settings.sides[0].kind == Side::Kind::periodic) &&
+         !(j == g.ny && settings.sides[2].kind == Side::Kind::periodic);
+}
+
+NocSolver::Impl::Settled NocSolver::Impl::settle(double h, double hu, double hv, const Push& all, double reach, bool held) const {
+  Settled s;
+  const double momentum = std::hypot(hu, hv);
+  if (!held && momentum > all.brake) {
+    // As (3.10) has it; and no larger than what it brakes, so that nothing is turned round.
+    s.hu = hu - (all.along_x + all.still * (hu / momentum));
+    s.hv = hv - (all.along_y + all.still * (hv / momentum));
+  }
+  s.friction = {s.hu - hu, s.hv - hv};
+  if (h < settings.dry_depth) {
+    s.cutoff = {-s.hu, -s.hv};
+    s.hu = s.hv = 0;
+  } else if (const double speed = std::hypot(s.hu, s.hv) / h; speed > reach) {
+    const double lost = reach / speed - 1;
+    s.cutoff = {lost * s.hu, lost * s.hv};
+    s.hu += s.cutoff[0], s.hv += s.cutoff[1];
+  }
+  return s;
+}
+
+void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
+  double h[2][2], hu[2][2], hv[2][2];
+  Push parts[2][2];
+  double reach = 0, in_h = 0, in_hu = 0, in_hv = 0, in_x = 0, in_y = 0;
+  int inside = 0;
+  bool held = true;
+  for (int a : {0, 1}) {
+    for (int b : {0, 1}) {
+      const Giver g = giver(i, j, a, b);
+      const FlowState s = share(*g.p, g.cx, g.cy);
+      h[a][b] = s.h, hu[a][b] = g.flip_x * s.hu, hv[a][b] = g.flip_y * s.hv;
+      Push& f = parts[a][b];
+      const bool given = g.p < centres.points.data() || g.p >= centres.points.data() + centres.points.size();
+      if (!given) {
+        f = push(*g.p, terrain, g.k, g.l, g.cx, g.cy, settings.closure.tan_delta, settings.dry_depth, tau);
+        f.x *= g.flip_x, f.along_x *= g.flip_x;
+        f.y *= g.flip_y, f.along_y *= g.flip_y;
+      }
+      reach = std::max(reach, g.p->reach);
+      held = held && g.locked;
+      if (!g.inside) continue;
+      ++inside;
+      in_h += s.h, in_hu += s.hu, in_hv += s.hv, in_x += f.x, in_y += f.y;
+    }
+  }
+  // Pairs across y first, then across x: mirrored scenes give mirrored bits.
+  const auto four = [](const auto& value) { return (value(0, 0) + value(0, 1)) + (value(1, 0) + value(1, 1)); };
+  const auto total = [&](double Push::*member) { return four([&](int a, int b) { return parts[a][b].*member; }); };
+  Push all;
+  all.x = total(&Push::x), all.y = total(&Push::y), all.brake = total(&Push::brake), all.still = total(&Push::still);
+  all.along_x = total(&Push::along_x), all.along_y = total(&Push::along_y);
+  const double depth = four([&](int a, int b) { return h[a][b]; });
+  const double free_hu = four([&](int a, int b) { return hu[a][b]; }) + all.x;
+  const double free_hv = four([&](int a, int b) { return hv[a][b]; }) + all.y;
+  const Settled s = settle(depth, free_hu, free_hv, all, reach, held);
+
+  const int c = corners.at(i, j);
+  corners.q.h[c] = depth, corners.q.hu[c] = s.hu, corners.q.hv[c] = s.hv;
+  corners.locked[c] = held;
+
+  if (!counted(i, j)) return;
+  const double portion = 0.25 * inside;
+  const double taken_x = portion * (s.friction[0] + s.cutoff[0]), taken_y = portion * (s.friction[1] + s.cutoff[1]);
+  Budget& book = sums.budget;
+  book.gravity[0] += in_x, book.gravity[1] += in_y;
+  for (int k : {0, 1}) book.friction[k] += portion * s.friction[k], book.cutoff[k] += portion * s.cutoff[k];
+  // What a corner on a side got from inside went out; what it gives back comes in with the other half step.
+  if (on_side(i, j)) book.boundary[0] -= in_hu + in_x + taken_x, book.boundary[1] -= in_hv + in_y + taken_y;
+  if (on_open_side(i, j)) book.mass_boundary -= in_h;
+  sums.note(depth, s.hu, s.hv);
+}
+
+double NocSolver::Impl::share_to_centre(int i, int j, int a, int b) const {
+  const double cx = a == 0 ? 1 : -1, cy = b == 0 ? 1 : -1;
+  const int n = corners.at(i + a, j + b);
+  // A locked corner gives back what it got.
+  return corners.locked[n] ? share_depth(centres.points[centres.at(i, j)], -cx, -cy) : share_depth(corners.points[n], cx, cy);
+}
+
+void NocSolver::Impl::update_centre(int i, int j, double tau, RowSums& sums) {
+  double h[2][2];
+  FlowState shares[2][2];
+  Push parts[2][2];
+  double reach = 0;
+  bool held = true;
+  Budget& book = sums.budget;
+  for (int a : {0, 1}) {
+    for (int b : {0, 1}) {
+      const double cx = a == 0 ? 1 : -1, cy = b == 0 ? 1 : -1;
+      const int n = corners.at(i + a, j + b);
+      const Point& p = corners.points[n];
+      shares[a][b] = share(p, cx, cy);
+      h[a][b] = share_to_centre(i, j, a, b);
+      parts[a][b] = push(p, terrain, 2 * i + a, 2 * j + b, cx, cy, settings.closure.tan_delta, settings.dry_depth, tau);
+      reach = std::max(reach, p.reach);
+      held = held && corners.locked[n];
+      if (on_side(i + a, j + b)) book.boundary[0] += shares[a][b].hu, book.boundary[1] += shares[a][b].hv;
+      if (on_open_side(i + a, j + b)) book.mass_boundary += h[a][b];
+    }
+  }
+  const auto four = [](const auto& value) { return (value(0, 0) + value(0, 1)) + (value(1, 0) + value(1, 1)); };
+  const auto total = [&](double Push::*member) { return four([&](int a, int b) { return parts[a][b].*member; }); };
+  Push all;
+  all.x = total(&Push::x), all.y = total(&Push::y), all.brake = total(&Push::brake), all.still = total(&Push::still);
+  all.along_x = total(&Push::along_x), all.along_y = total(&Push::along_y);
+  const int c = centres.at(i, j);
+  const double depth = held ? centres.q.h[c] : four([&](int a, int b) { return h[a][b]; });
+  const double free_hu = four([&](int a, int b) { return shares[a][b].hu; }) + all.x;
+  const double free_hv = four([&](int a, int b) { return shares[a][b].hv; }) + all.y;
+  const Settled s = settle(depth, free_hu, free_hv, all, reach, held);
+  centres.q.h[c] = depth, centres.q.hu[c] = s.hu, centres.q.hv[c] = s.hv;
+
+  book.gravity[0] += all.x, book.gravity[1] += all.y;
+  for (int k : {0, 1}) book.friction[k] += s.friction[k], book.cutoff[k] += s.cutoff[k];
+  sums.note(depth, s.hu, s.hv);
+}
+
+}  // namespace couloir

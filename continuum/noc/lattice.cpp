@@ -1,0 +1,159 @@
+#include "continuum/noc/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "continuum/flow/flux.hpp"
+#include "continuum/flow/friction.hpp"
+#include "continuum/noc/slopes.hpp"
+
+namespace couloir::noc {
+
+Lattice::Lattice(Kind kind, const SolverSettings& s, const Terrain& terrain)
+    : kind_(kind),
+      s_(s),
+      terrain_(terrain),
+      nx_(s.grid.nx + (kind == Kind::corners ? 1 : 0)),
+      ny_(s.grid.ny + (kind == Kind::corners ? 1 : 0)) {
+  const std::size_t n = static_cast<std::size_t>(row()) * (ny_ + 2 * ghosts);
+  q.resize(static_cast<int>(n));
+  locked.assign(n, 0);
+  points.resize(n);
+  for (auto* field : {&u_, &v_}) field->assign(n, 0.0);
+  for (auto* field : {&kx_, &ky_}) field->assign(n, 1.0);
+  for (int i = 0; i < nx_; ++i) {
+    weight_.push_back(middle(i, &Terrain::weight));
+    drive_.push_back(middle(i, &Terrain::drive));
+    kappa_.push_back(middle(i, &Terrain::kappa));
+  }
+}
+
+double Lattice::middle(int i, double (Terrain::*value)(int) const) const {
+  const int last = terrain_.quarters_x() - 1, k = quarter(i);
+  return 0.5 * ((terrain_.*value)(std::clamp(k, 0, last)) + (terrain_.*value)(std::clamp(k + 1, 0, last)));
+}
+
+CellBox Lattice::clamp(const CellBox& b) const {
+  return {std::max(b.i0, 0), std::min(b.i1, nx_), std::max(b.j0, 0), std::min(b.j1, ny_)};
+}
+
+double Lattice::find_state(const CellBox& box) {
+  const double dry = s_.dry_depth;
+  const int r = row(), rows = box.j1 - box.j0;
+#pragma omp parallel for num_threads(s_.threads) schedule(static)
+  for (int j = box.j0 - 1; j <= box.j1; ++j) {
+    for (int c = at(box.i0 - 1, j); c <= at(box.i1, j); ++c) {
+      const bool wet = q.h[c] >= dry;
+      u_[c] = wet ? q.hu[c] / q.h[c] : 0.0;
+      v_[c] = wet ? q.hv[c] / q.h[c] : 0.0;
+    }
+  }
+  const EarthPressure& k = s_.closure.earth_pressure;
+  std::vector<double> rates(std::max(rows, 0), 0.0);
+#pragma omp parallel for num_threads(s_.threads) schedule(static)
+  for (int j = box.j0; j < box.j1; ++j) {
+    double rate = 0;
+    for (int i = box.i0; i < box.i1; ++i) {
+      const int c = at(i, j);
+      if (q.h[c] < dry) continue;
+      // Over two spacings; dry neighbours have no say.
+      const auto difference = [&](const std::vector<double>& w, int s) {
+        return (q.h[c + s] >= dry ? w[c + s] - w[c] : 0.0) + (q.h[c - s] >= dry ? w[c] - w[c - s] : 0.0);
+      };
+      const double du = difference(u_, 1), dv = difference(v_, r);
+      kx_[c] = k.kx(du);
+      ky_[c] = k.ky(du, dv);
+      const double wave = weight_[i] * q.h[c];
+      rate = std::max({rate, (std::abs(u_[c]) + std::sqrt(kx_[c] * wave)) / s_.grid.dx,
+                       (std::abs(v_[c]) + std::sqrt(ky_[c] * wave)) / s_.grid.dy});
+    }
+    rates[j - box.j0] = rate;
+  }
+  return rates.empty() ? 0.0 : *std::max_element(rates.begin(), rates.end());
+}
+
+void Lattice::prepare(const CellBox& box, double tau) {
+  with_slope(s_.limiter, [&](auto slope) {
+#pragma omp parallel for num_threads(s_.threads) schedule(static)
+    for (int j = box.j0; j < box.j1; ++j) prepare_row<decltype(slope)>(j, box.i0, box.i1, tau);
+  });
+}
+
+template <class S>
+void Lattice::prepare_row(int j, int i0, int i1, double tau) {
+  const int r = row();
+  for (int i = i0; i < i1; ++i) {
+    const int c = at(i, j);
+    Point p;
+    p.q = {q.h[c], q.hu[c], q.hv[c]};
+    p.x.h = 0.25 * S::slope(&q.h[c], 1);
+    p.y.h = 0.25 * S::slope(&q.h[c], r);
+    const double drop = std::abs(p.x.h) + std::abs(p.y.h);
+    if (drop > p.q.h) {  // the TVD slopes never fall below zero within the cell; ENO's may
+      const double fit = p.q.h / drop;
+      p.x.h *= fit, p.y.h *= fit;
+    }
+    if (p.q.h >= s_.dry_depth) {
+      p.x.hu = 0.25 * S::slope(&q.hu[c], 1);
+      p.x.hv = 0.25 * S::slope(&q.hv[c], 1);
+      p.y.hu = 0.25 * S::slope(&q.hu[c], r);
+      p.y.hv = 0.25 * S::slope(&q.hv[c], r);
+    }
+    predict(p, i, j, c, tau);
+    points[c] = p;
+  }
+}
+
+Gradient Lattice::bed_slope(int i, int j) const {
+  if (terrain_.level()) return {};
+  const auto quarter_at = [&](int a, int b) {
+    return terrain_.slope(std::clamp(quarter(i) + a, 0, terrain_.quarters_x() - 1),
+                          std::clamp(quarter(j) + b, 0, terrain_.quarters_y() - 1));
+  };
+  const Gradient ll = quarter_at(0, 0), lh = quarter_at(0, 1), hl = quarter_at(1, 0), hh = quarter_at(1, 1);
+  return {0.25 * ((ll.x + lh.x) + (hl.x + hh.x)), 0.25 * ((ll.y + lh.y) + (hl.y + hh.y))};
+}
+
+// (3.8) with the Jacobian (3.9); friction may stop the flow here as it may in the corrector.
+void Lattice::predict(Point& p, int i, int j, int c, double tau) const {
+  const double h = p.q.h, u = u_[c], v = v_[c];
+  p.half = {h, 0, 0};
+  if (h < s_.dry_depth) return;
+  const double weight = weight_[i], gx = kx_[c] * weight, gy = ky_[c] * weight;
+  const Gradient bed = bed_slope(i, j);
+  const double pull_x = drive_[i] - weight * bed.x, pull_y = -weight * bed.y;
+  p.reach = 1.1 * std::hypot(u, v) + 2 * std::sqrt(std::max(gx, gy) * h) + tau * std::hypot(pull_x, pull_y);
+
+  if (!locked[c]) {
+    const double ax = 2 * tau / s_.grid.dx, ay = 2 * tau / s_.grid.dy;  // tau/2 times four quarters by the spacing
+    const FlowState &x = p.x, &y = p.y;
+    p.half.h = std::max(0.0, h - (ax * x.hu + ay * y.hv));
+    const double fx = (gx * h - u * u) * x.h + 2 * u * x.hu, gx_y = -u * v * y.h + v * y.hu + u * y.hv;
+    const double fy_x = -u * v * x.h + v * x.hu + u * x.hv, gy_y = (gy * h - v * v) * y.h + 2 * v * y.hv;
+    const double hu = p.q.hu - (ax * fx + ay * gx_y) + 0.5 * tau * h * pull_x;
+    const double hv = p.q.hv - (ax * fy_x + ay * gy_y) + 0.5 * tau * h * pull_y;
+    const double capacity = coulomb_capacity(0.5 * tau, s_.closure.tan_delta, weight, kappa_[i], u, h);
+    const double left = coulomb_factor(std::hypot(hu, hv), capacity);
+    p.half.hu = left * hu, p.half.hv = left * hv;
+    const double speed = std::hypot(p.half.hu, p.half.hv);
+    if (p.half.h < s_.dry_depth) p.half.hu = p.half.hv = 0;
+    if (speed > p.reach * p.half.h && speed > 0) {
+      const double fit = p.reach * p.half.h / speed;
+      p.half.hu *= fit, p.half.hv *= fit;
+    }
+    if (kind_ == Kind::corners) {  // on a wall by symmetry, on an outflow because nothing comes in
+      const auto closed = [&](int side, double outward) {
+        return s_.sides[side].kind == Side::Kind::wall || (s_.sides[side].kind == Side::Kind::outflow && outward < 0);
+      };
+      if ((i == 0 && closed(0, -p.half.hu)) || (i == nx_ - 1 && closed(1, p.half.hu))) p.half.hu = 0;
+      if ((j == 0 && closed(2, -p.half.hv)) || (j == ny_ - 1 && closed(3, p.half.hv))) p.half.hv = 0;
+    }
+  }
+  const double h2 = p.half.h, u2 = h2 > 0 ? p.half.hu / h2 : 0.0, v2 = h2 > 0 ? p.half.hv / h2 : 0.0;
+  const double lx = 0.5 * tau / s_.grid.dx, ly = 0.5 * tau / s_.grid.dy;
+  const FaceFlux f = flux_x(h2, u2, v2, gx), g = flux_y(h2, u2, v2, gy);
+  p.flux_x = {lx * f.mass, lx * f.mom_x, lx * f.mom_y};
+  p.flux_y = {ly * g.mass, ly * g.mom_x, ly * g.mom_y};
+}
+
+}  // namespace couloir::noc

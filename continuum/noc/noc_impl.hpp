@@ -1,0 +1,113 @@
+#pragma once
+// Inside NocSolver: the two lattices and the order of a step.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "continuum/noc/lattice.hpp"
+#include "continuum/noc/noc_solver.hpp"
+#include "continuum/noc/share.hpp"
+
+namespace couloir {
+
+struct NocSolver::Impl {
+  using Point = noc::Point;
+  using Lattice = noc::Lattice;
+
+  struct Gauge {
+    int i, j0, j1;
+    double volume;
+  };
+  // One of the four shares of a corner, as the corner sees it; beyond a wall it is the mirror image of one inside.
+  struct Giver {
+    const Point* p;
+    double cx, cy;          // which of the giver's quadrants
+    double flip_x, flip_y;  // -1: momentum turned
+    int k, l;               // the quadrant's quarter point
+    bool inside;            // of the domain
+    bool locked;
+  };
+  // The part of it that depends on the column (row) alone.
+  struct Line {
+    int index;
+    double corner, flip;
+    bool inside;
+    int outflow = -1, inflow = -1;  // side
+  };
+  struct RowSums {  // per area of a cell
+    Budget budget;
+    double min_depth = std::numeric_limits<double>::infinity();
+    bool finite = true;
+    void note(double h, double hu, double hv) {
+      const double all = h + hu + hv;
+      min_depth = std::min(min_depth, h);
+      finite = finite && all - all == 0;
+    }
+  };
+  struct Settled {
+    double hu = 0, hv = 0;
+    std::array<double, 2> friction{}, cutoff{};  // what they took, with its sign
+  };
+
+  Impl(const SolverSettings&, const ReferenceSurface&, const NocBed&);
+
+  void step(double dt);
+  double stable_dt();
+  void refresh();                         // window, ghosts, state, signal rate, where the state has changed
+  CellBox window(int margin) const;       // the wet cells and so many around them
+  bool half_step_to_corners(double tau);  // false: the CFL bound (3.22) would break on the corners
+  void half_step_to_centres(double tau);
+
+  // Rest.
+  void find_locked(const CellBox& cells);
+  bool locked(int i, int j) const;
+
+  // Positivity.
+  void limit_corners(const CellBox& corners);
+  void limit_centres(const CellBox& cells);
+  void limit(Point&);
+
+  Line line(int corner, int which, int cells, int low_side) const;
+  Giver giver(int i, int j, int a, int b) const;
+  void make_inflow(double tau);
+  void update_corner(int i, int j, double tau, RowSums&);
+  void update_centre(int i, int j, double tau, RowSums&);
+  // Friction, film and speed bound on the momentum that the other terms would give.
+  Settled settle(double h, double hu, double hv, const noc::Push& all, double reach, bool held) const;
+  bool on_side(int i, int j) const;                          // a corner on a side that is not periodic
+  bool on_open_side(int i, int j) const;                     // outflow or inflow
+  bool counted(int i, int j) const;                          // false: the periodic twin of another corner
+  double share_to_centre(int i, int j, int a, int b) const;  // depth that corner (i + a, j + b) gives back to cell (i, j)
+  void count_obstacles(const Lattice& givers, const CellBox& box, double tau);
+  void count_gauges(const CellBox& corners);
+  void find_wet(const CellBox& cells);
+  void collect(const std::vector<RowSums>&);
+  void check_finite() const;  // throws NumericsError
+  void put(int i, int j, const FlowState&);
+  FlowState get(int i, int j) const;
+
+  SolverSettings settings;
+  noc::Terrain terrain;
+  Lattice centres, corners;
+  std::vector<Line> lines_x, lines_y;  // [2 * corner + which]
+  std::array<Point, 4> inflow;         // what stands beyond an inflow side
+  CellBox wet;                         // all cells that reach the dry depth lie in it
+  bool scan = true;                    // wet is out of date
+  std::optional<double> rate;          // of the present state; empty: the state has changed
+  CellBox corner_box;                  // of the half step under way
+  std::vector<RowSums> first;          // of the half step to the corners, booked when the pair stands
+
+  std::vector<std::array<double, 2>> impulse;
+  std::vector<Gauge> gauges;
+  Budget budget;
+  double time = 0;
+  std::int64_t steps = 0, cell_updates = 0, limited_count = 0;
+  double min_depth = 0;
+  bool min_depth_met = false;
+};
+
+}  // namespace couloir

@@ -1,0 +1,168 @@
+// A step of the staggered scheme: to the corners and back.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "continuum/errors.hpp"
+#include "continuum/noc/noc_impl.hpp"
+
+namespace couloir {
+namespace {
+
+constexpr int most_halvings = 40;  // of a step whose second half would break the CFL bound
+
+CellBox corners_of(const CellBox& cells) {
+  return {cells.i0, cells.i1 + 1, cells.j0, cells.j1 + 1};
+}
+std::int64_t count(const CellBox& b) {
+  return static_cast<std::int64_t>(b.i1 - b.i0) * (b.j1 - b.j0);
+}
+
+}  // namespace
+
+void NocSolver::Impl::step(double dt) {
+  if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
+  dt = std::min(dt, stable_dt());
+  if (!wet.empty()) {
+    for (int halvings = 0; !half_step_to_corners(0.5 * dt); ++halvings) {
+      if (halvings == most_halvings)
+        throw NumericsError("The continuum's time step fell below any use at t = " + std::to_string(time) +
+                            " s: the flow speeds up without bound; check the bed's slopes, or use scheme central_upwind.");
+      dt *= 0.5;
+    }
+    half_step_to_centres(0.5 * dt);
+    rate.reset();
+  }
+  time += dt;
+  ++steps;
+}
+
+double NocSolver::Impl::stable_dt() {
+  refresh();
+  const double r = *rate, a = terrain.steepest() / std::min(settings.grid.dx, settings.grid.dy);
+  if (!(r > 0) && a == 0) return std::numeric_limits<double>::max();
+  return 2 * (2 * settings.cfl / (r + std::sqrt(r * r + 4 * a * settings.cfl)));
+}
+
+void NocSolver::Impl::refresh() {
+  if (rate) return;
+  if (scan) find_wet({0, settings.grid.nx, 0, settings.grid.ny});
+  scan = false;
+  centres.fill_ghosts();
+  double fastest = centres.find_state(window(4));
+  for (int side = 0; side < 4; ++side) {
+    const Side& s = settings.sides[side];
+    if (s.kind != Side::Kind::inflow) continue;
+    const double speed = s.velocity + std::sqrt(settings.gravity * s.depth);
+    fastest = std::max(fastest, speed / (side < 2 ? settings.grid.dx : settings.grid.dy));
+  }
+  rate = fastest;
+}
+
+CellBox NocSolver::Impl::window(int margin) const {
+  if (wet.empty()) return wet;
+  const Grid& g = settings.grid;
+  CellBox b{wet.i0 - margin, wet.i1 + margin, wet.j0 - margin, wet.j1 + margin};
+  if (settings.sides[0].kind == Side::Kind::periodic && (b.i0 < 0 || b.i1 > g.nx)) b.i0 = 0, b.i1 = g.nx;
+  if (settings.sides[2].kind == Side::Kind::periodic && (b.j0 < 0 || b.j1 > g.ny)) b.j0 = 0, b.j1 = g.ny;
+  return centres.clamp(b);
+}
+
+bool NocSolver::Impl::half_step_to_corners(double tau) {
+  const CellBox cells = window(4);
+  corner_box = corners_of(window(3));
+  make_inflow(tau);
+  find_locked(cells);
+  centres.prepare(cells, tau);
+  limit_corners(corner_box);
+  first.assign(corner_box.j1 - corner_box.j0, {});
+#pragma omp parallel for num_threads(settings.threads) schedule(static)
+  for (int j = corner_box.j0; j < corner_box.j1; ++j) {
+    for (int i = corner_box.i0; i < corner_box.i1; ++i) update_corner(i, j, tau, first[j - corner_box.j0]);
+  }
+  corners.fill_ghosts();
+  const CellBox inner = corners_of(window(1));
+  if (corners.find_state(inner) * tau > 0.5 * (1 + 1e-12)) return false;
+  corners.prepare(inner, tau);
+  return true;
+}
+
+void NocSolver::Impl::half_step_to_centres(double tau) {
+  const CellBox cells = window(1);
+  limit_centres(cells);
+  count_obstacles(centres, window(4), tau);
+  count_obstacles(corners, corners_of(cells), tau);
+  count_gauges(corners_of(cells));
+  std::vector<RowSums> rows(cells.j1 - cells.j0);
+#pragma omp parallel for num_threads(settings.threads) schedule(static)
+  for (int j = cells.j0; j < cells.j1; ++j) {
+    for (int i = cells.i0; i < cells.i1; ++i) update_centre(i, j, tau, rows[j - cells.j0]);
+  }
+  collect(first);
+  collect(rows);
+  cell_updates += count(corner_box) + count(cells);
+  find_wet(cells);
+}
+
+void NocSolver::Impl::find_wet(const CellBox& cells) {
+  const Grid& g = settings.grid;
+  CellBox found{g.nx, 0, g.ny, 0};
+  for (int j = cells.j0; j < cells.j1; ++j) {
+    for (int i = cells.i0; i < cells.i1; ++i) {
+      if (centres.q.h[centres.at(i, j)] < settings.dry_depth) continue;  // not a number counts as wet
+      found = {std::min(found.i0, i), std::max(found.i1, i + 1), std::min(found.j0, j), std::max(found.j1, j + 1)};
+    }
+  }
+  // An inflow wets its side.
+  const CellBox sides[] = {{0, 1, 0, g.ny}, {g.nx - 1, g.nx, 0, g.ny}, {0, g.nx, 0, 1}, {0, g.nx, g.ny - 1, g.ny}};
+  for (int side = 0; side < 4; ++side) {
+    const Side& s = settings.sides[side];
+    if (s.kind != Side::Kind::inflow || s.depth < settings.dry_depth) continue;
+    const CellBox& b = sides[side];
+    found = {std::min(found.i0, b.i0), std::max(found.i1, b.i1), std::min(found.j0, b.j0), std::max(found.j1, b.j1)};
+  }
+  wet = found;
+}
+
+void NocSolver::Impl::collect(const std::vector<RowSums>& rows) {
+  const double area = settings.grid.dx * settings.grid.dy;
+  Budget sum;
+  bool finite = true;
+  for (const RowSums& r : rows) {
+    sum.add(r.budget);
+    min_depth = min_depth_met ? std::min(min_depth, r.min_depth) : r.min_depth;
+    min_depth_met = true;
+    finite = finite && r.finite;
+  }
+  budget.mass_boundary += area * sum.mass_boundary;
+  for (int k : {0, 1}) {
+    budget.gravity[k] += area * sum.gravity[k];
+    budget.friction[k] += area * sum.friction[k];
+    budget.boundary[k] += area * sum.boundary[k];
+    budget.cutoff[k] += area * sum.cutoff[k];
+  }
+  if (!finite) check_finite();
+}
+
+// The sources count the push of the whole bed; the obstacles' part of it is theirs.
+void NocSolver::Impl::count_obstacles(const Lattice& givers, const CellBox& box, double tau) {
+  const double part = 0.25 * tau * settings.grid.dx * settings.grid.dy;
+  const int shift = &givers == &corners ? 1 : 0;  // quarter k belongs to centre k / 2 or corner (k + 1) / 2
+  for (int id = 0; id < terrain.obstacles(); ++id) {
+    double x = 0, y = 0;
+    for (const auto& q : terrain.obstacle(id)) {
+      const int i = (q.k + shift) / 2, j = (q.l + shift) / 2;
+      if (!box.contains(i, j)) continue;
+      const double cx = givers.quarter(i) == q.k ? -1 : 1, cy = givers.quarter(j) == q.l ? -1 : 1;
+      const double weight = terrain.weight(q.k) * noc::quarter_depth(givers.points[givers.at(i, j)], cx, cy);
+      x += weight * q.slope.x, y += weight * q.slope.y;
+    }
+    x *= part, y *= part;
+    impulse[id][0] += x, impulse[id][1] += y;
+    budget.obstacles[0] -= x, budget.obstacles[1] -= y;
+    budget.gravity[0] += x, budget.gravity[1] += y;
+  }
+}
+
+}  // namespace couloir

@@ -1,0 +1,49 @@
+#include "continuum/noc/terrain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace couloir::noc {
+
+Terrain::Terrain(const Grid& g, const ReferenceSurface& surface, const NocBed& bed, double gravity, bool curvature)
+    : grid_(g), nx_(2 * g.nx), ny_(2 * g.ny), obstacles_(bed.obstacles.size()) {
+  const double qx = 0.5 * g.dx, qy = 0.5 * g.dy;
+  const auto x = [&](int k) { return g.x0 + (k + 0.5) * qx; };
+  const auto y = [&](int l) { return g.y0 + (l + 0.5) * qy; };
+  for (int k = 0; k < nx_; ++k) {
+    const double zeta = surface.angle(x(k));
+    weight_.push_back(gravity * std::cos(zeta));
+    drive_.push_back(gravity * std::sin(zeta));
+    kappa_.push_back(curvature ? surface.curvature(x(k)) : 0.0);
+    steepest_ = std::max(steepest_, std::abs(drive_.back()));
+  }
+
+  std::vector<NocBed::Height> parts = bed.obstacles;
+  if (bed.ground) parts.push_back(bed.ground);
+  level_ = parts.empty();
+  if (level_) return;
+  slope_.resize(static_cast<std::size_t>(nx_) * ny_);
+  height_.resize(static_cast<std::size_t>(g.nx) * g.ny);
+  for (std::size_t n = 0; n < parts.size(); ++n) {
+    const auto& z = parts[n];
+    for (int l = 0; l < ny_; ++l) {
+      for (int k = 0; k < nx_; ++k) {
+        const Gradient s{(z(x(k) + 0.5 * qx, y(l)) - z(x(k) - 0.5 * qx, y(l))) / qx,
+                         (z(x(k), y(l) + 0.5 * qy) - z(x(k), y(l) - 0.5 * qy)) / qy};
+        if (s.x == 0 && s.y == 0) continue;
+        Gradient& sum = slope_[static_cast<std::size_t>(l) * nx_ + k];
+        sum = {sum.x + s.x, sum.y + s.y};
+        if (n < obstacles_.size()) obstacles_[n].push_back({k, l, s});
+      }
+    }
+    for (int j = 0; j < g.ny; ++j) {
+      for (int i = 0; i < g.nx; ++i) height_[static_cast<std::size_t>(j) * g.nx + i] += z(g.x(i), g.y(j));
+    }
+  }
+}
+
+double Terrain::height(int i, int j) const {
+  return level_ ? 0.0 : height_[static_cast<std::size_t>(j) * grid_.nx + i];
+}
+
+}  // namespace couloir::noc
