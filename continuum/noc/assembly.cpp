@@ -122,7 +122,7 @@ NocSolver::Impl::Settled NocSolver::Impl::settle(double h, double hu, double hv,
 void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
   double h[2][2], hu[2][2], hv[2][2];
   Push parts[2][2];
-  double reach = 0, in_h = 0, in_hu = 0, in_hv = 0, in_x = 0, in_y = 0;
+  double reach = 0, in_hu = 0, in_hv = 0, in_x = 0, in_y = 0;
   int inside = 0;
   bool held = true;
   for (int a : {0, 1}) {
@@ -141,7 +141,7 @@ void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
       held = held && g.locked;
       if (!g.inside) continue;
       ++inside;
-      in_h += s.h, in_hu += s.hu, in_hv += s.hv, in_x += f.x, in_y += f.y;
+      in_hu += s.hu, in_hv += s.hv, in_x += f.x, in_y += f.y;
     }
   }
   // Pairs across y first, then across x: mirrored scenes give mirrored bits.
@@ -167,7 +167,6 @@ void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
   for (int k : {0, 1}) book.friction[k] += portion * s.friction[k], book.cutoff[k] += portion * s.cutoff[k];
   // What a corner on a side got from inside went out; what it gives back comes in with the other half step.
   if (on_side(i, j)) book.boundary[0] -= in_hu + in_x + taken_x, book.boundary[1] -= in_hv + in_y + taken_y;
-  if (on_open_side(i, j)) book.mass_boundary -= in_h;
   sums.note(depth, s.hu, s.hv);
 }
 
@@ -196,7 +195,6 @@ void NocSolver::Impl::update_centre(int i, int j, double tau, RowSums& sums) {
       reach = std::max(reach, p.reach);
       held = held && corners.locked[n];
       if (on_side(i + a, j + b)) book.boundary[0] += shares[a][b].hu, book.boundary[1] += shares[a][b].hv;
-      if (on_open_side(i + a, j + b)) book.mass_boundary += h[a][b];
     }
   }
   const auto four = [](const auto& value) { return (value(0, 0) + value(0, 1)) + (value(1, 0) + value(1, 1)); };

@@ -57,6 +57,7 @@ class Lattice {
   void prepare_row(int j, int i0, int i1, double tau);
   void predict(Point&, int i, int j, int c, double tau) const;
   Gradient bed_slope(int i, int j) const;
+  int inside(int quarter, int low_side) const;
   double middle(int i, double (Terrain::*value)(int) const) const;  // mean of the two quarter columns
 
   Kind kind_;

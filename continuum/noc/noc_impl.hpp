@@ -70,6 +70,7 @@ struct NocSolver::Impl {
   void limit_corners(const CellBox& corners);
   void limit_centres(const CellBox& cells);
   void limit(Point&);
+  void limit_corner(int i, int j);
 
   Line line(int corner, int which, int cells, int low_side) const;
   Giver giver(int i, int j, int a, int b) const;
@@ -82,6 +83,8 @@ struct NocSolver::Impl {
   bool on_open_side(int i, int j) const;                     // outflow or inflow
   bool counted(int i, int j) const;                          // false: the periodic twin of another corner
   double share_to_centre(int i, int j, int a, int b) const;  // depth that corner (i + a, j + b) gives back to cell (i, j)
+  double gain(int i, int j, int a, int b) const;  // depth that cell (i, j) gets from its corner (a, b) beyond what it gave
+  void count_sides(const CellBox& corners);
   void count_obstacles(const Lattice& givers, const CellBox& box, double tau);
   void count_gauges(const CellBox& corners);
   void find_wet(const CellBox& cells);

@@ -92,30 +92,6 @@ FlowState NocSolver::Impl::get(int i, int j) const {
   return {centres.q.h[c], centres.q.hu[c], centres.q.hv[c]};
 }
 
-// The exchange of a corner across the face's line: half of what the cells on the right gain less what those on the left do. On
-// the domain's side only one of them is there. Sums of neighbouring gauges add up.
-void NocSolver::Impl::count_gauges(const CellBox& box) {
-  const Grid& g = settings.grid;
-  const double area = g.dx * g.dy;
-  for (Gauge& gauge : gauges) {
-    if (gauge.i < box.i0 || gauge.i >= box.i1) continue;
-    double sum = 0;
-    for (int row = std::max(gauge.j0, box.j0); row < std::min(gauge.j1, box.j1 - 1); ++row) {
-      for (int up : {0, 1}) {                              // the row's corners
-        const auto gain = [&](int cell, double towards) {  // of this cell from this corner
-          const double cy = up == 0 ? -1 : 1;
-          return share_to_centre(cell, row, towards < 0 ? 0 : 1, up) -
-                 noc::share_depth(centres.points[centres.at(cell, row)], towards, cy);
-        };
-        const bool left = gauge.i > 0, right = gauge.i < g.nx;
-        const double in = right ? gain(gauge.i, -1) : 0.0, out = left ? gain(gauge.i - 1, 1) : 0.0;
-        sum += left && right ? 0.5 * (in - out) : in - out;
-      }
-    }
-    gauge.volume += area * sum;
-  }
-}
-
 NocSolver::NocSolver(const SolverSettings& settings, const ReferenceSurface& surface, const NocBed& bed)
     : impl_(std::make_unique<Impl>(settings, surface, bed)) {}
 NocSolver::~NocSolver() = default;

@@ -93,6 +93,7 @@ void NocSolver::Impl::half_step_to_centres(double tau) {
   limit_centres(cells);
   count_obstacles(centres, window(4), tau);
   count_obstacles(corners, corners_of(cells), tau);
+  count_sides(corners_of(cells));
   count_gauges(corners_of(cells));
   std::vector<RowSums> rows(cells.j1 - cells.j0);
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
@@ -135,7 +136,6 @@ void NocSolver::Impl::collect(const std::vector<RowSums>& rows) {
     min_depth_met = true;
     finite = finite && r.finite;
   }
-  budget.mass_boundary += area * sum.mass_boundary;
   for (int k : {0, 1}) {
     budget.gravity[k] += area * sum.gravity[k];
     budget.friction[k] += area * sum.friction[k];
@@ -143,26 +143,6 @@ void NocSolver::Impl::collect(const std::vector<RowSums>& rows) {
     budget.cutoff[k] += area * sum.cutoff[k];
   }
   if (!finite) check_finite();
-}
-
-// The sources count the push of the whole bed; the obstacles' part of it is theirs.
-void NocSolver::Impl::count_obstacles(const Lattice& givers, const CellBox& box, double tau) {
-  const double part = 0.25 * tau * settings.grid.dx * settings.grid.dy;
-  const int shift = &givers == &corners ? 1 : 0;  // quarter k belongs to centre k / 2 or corner (k + 1) / 2
-  for (int id = 0; id < terrain.obstacles(); ++id) {
-    double x = 0, y = 0;
-    for (const auto& q : terrain.obstacle(id)) {
-      const int i = (q.k + shift) / 2, j = (q.l + shift) / 2;
-      if (!box.contains(i, j)) continue;
-      const double cx = givers.quarter(i) == q.k ? -1 : 1, cy = givers.quarter(j) == q.l ? -1 : 1;
-      const double weight = terrain.weight(q.k) * noc::quarter_depth(givers.points[givers.at(i, j)], cx, cy);
-      x += weight * q.slope.x, y += weight * q.slope.y;
-    }
-    x *= part, y *= part;
-    impulse[id][0] += x, impulse[id][1] += y;
-    budget.obstacles[0] -= x, budget.obstacles[1] -= y;
-    budget.gravity[0] += x, budget.gravity[1] += y;
-  }
 }
 
 }  // namespace couloir

@@ -57,10 +57,23 @@ void NocSolver::Impl::limit_centres(const CellBox& box) {
     if (negative.empty()) return;
     for (const auto& [i, j] : negative) {
       for (int n = 0; n < 4; ++n) {
-        if (share_to_centre(i, j, n / 2, n % 2) < 0) limit(corners.points[corners.at(i + n / 2, j + n % 2)]);
+        if (share_to_centre(i, j, n / 2, n % 2) < 0) limit_corner(i + n / 2, j + n % 2);
       }
     }
   }
+}
+
+// And its periodic twins, which give the other half of what it holds.
+void NocSolver::Impl::limit_corner(int i, int j) {
+  const Grid& g = settings.grid;
+  const auto twin = [](int at, int last, const Side& side) {
+    return side.kind == Side::Kind::periodic && (at == 0 || at == last) ? last - at : at;
+  };
+  const int ti = twin(i, g.nx, settings.sides[0]), tj = twin(j, g.ny, settings.sides[2]);
+  limit(corners.points[corners.at(i, j)]);
+  if (ti != i) limit(corners.points[corners.at(ti, j)]);
+  if (tj != j) limit(corners.points[corners.at(i, tj)]);
+  if (ti != i && tj != j) limit(corners.points[corners.at(ti, tj)]);
 }
 
 void NocSolver::Impl::limit(Point& p) {

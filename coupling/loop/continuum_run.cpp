@@ -21,7 +21,7 @@ class ContinuumRun : public ModeRun {
     RunStart begin;
     begin.scene = &scene_;
     begin.surface = &surface_;
-    begin.grid = flow_->solver().grid();
+    begin.grid = flow_->model().grid();
     begin.bed = flow_->bed();
     begin.obstacles = obstacle_names(scene_);
     begin.effects = make_plan(scene_).effects;
@@ -41,7 +41,7 @@ class ContinuumRun : public ModeRun {
   }
 
   FrameView frame() override { return flow_->frame(); }
-  void save() override { save_bytes(options_.work_dir, "continuum.state", flow_->solver().checkpoint()); }
+  void save() override { save_bytes(options_.work_dir, "continuum.state", flow_->model().checkpoint()); }
   void finish(RunEnd&) override {}
 
   std::unique_ptr<FlowSide> flow_;

@@ -12,8 +12,14 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
   SolverSettings settings = solver_settings(scene);
   settings.threads = threads;
   const StepBed bed = step_bed(scene);
-  solver_ = std::make_unique<Solver>(settings, surface, bed);
-  const Grid& grid = solver_->grid();
+  if (scene.continuum.scheme == "noc") {
+    model_ = std::make_unique<NocSolver>(settings, surface, noc_bed(scene));
+  } else {
+    auto solver = std::make_unique<Solver>(settings, surface, bed);
+    solver_ = solver.get();
+    model_ = std::move(solver);
+  }
+  const Grid& grid = model_->grid();
 
   bed_.assign(std::size_t(grid.nx) * grid.ny, 0.0);
   if (!bed.elevation.empty()) bed_ = bed.elevation;
@@ -26,39 +32,39 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
           box = {std::min(box.i0, i), std::max(box.i1, i + 1), std::min(box.j0, j), std::max(box.j1, j + 1)};
         }
     footprint_.push_back(box);
-    gauge_.push_back(solver_->add_gauge((box.i0 + box.i1 + 1) / 2, box.j0, box.j1));
+    gauge_.push_back(model_->add_gauge((box.i0 + box.i1 + 1) / 2, box.j0, box.j1));
     impulse_.push_back({0, 0});
   }
 
-  solver_->set([&](double x, double y) { return release_at(scene, x, y); });
+  model_->set([&](double x, double y) { return release_at(scene, x, y); });
   // The cells' sampling of the release is off by its edge; the depth is scaled so that the mass is exact.
-  const double wanted = release_volume(scene), sampled = solver_->volume();
+  const double wanted = release_volume(scene), sampled = model_->volume();
   if (wanted > 0 && sampled > 0 && scene.release.kind != ReleaseSpec::Kind::uniform) {
     const double scale = wanted / sampled;
-    solver_->set([&](double x, double y) {
+    model_->set([&](double x, double y) {
       FlowState q = release_at(scene, x, y);
       return FlowState{scale * q.h, scale * q.hu, scale * q.hv};
     });
   }
-  initial_mass_ = density_ * solver_->volume();
+  initial_mass_ = density_ * model_->volume();
   momentum_before_ = momentum();
 }
 
 void FlowSide::advance_to(double t) {
   const double before = cpu_now();
-  solver_->advance_to(t);
+  model_->advance_to(t);
   cpu_ += cpu_now() - before;
 }
 
 double FlowSide::momentum() const {
-  return density_ * solver_->momentum()[0];
+  return density_ * model_->momentum()[0];
 }
 
 void FlowSide::report(WindowReport& w) {
-  const Budget& b = solver_->budget();
+  const Budget& b = model_->budget();
   boundary_mass_ += density_ * b.mass_boundary;
   w.mass.initial += initial_mass_;
-  w.mass.continuum = density_ * solver_->volume();
+  w.mass.continuum = density_ * model_->volume();
   w.mass.left_domain += std::max(0.0, -boundary_mass_);
   w.mass.entered += std::max(0.0, boundary_mass_);
   w.momentum.gravity += density_ * b.gravity[0];
@@ -69,35 +75,35 @@ void FlowSide::report(WindowReport& w) {
   const double now = momentum();
   w.momentum.storage += now - momentum_before_;
   momentum_before_ = now;
-  solver_->reset_budget();
-  w.solver_steps = solver_->steps();
-  w.cell_updates = solver_->cell_updates();
-  w.min_depth = solver_->min_depth();
-  w.max_speed = std::max(w.max_speed, solver_->max_speed());
+  model_->reset_budget();
+  w.solver_steps = model_->steps();
+  w.cell_updates = model_->cell_updates();
+  w.min_depth = model_->min_depth();
+  w.max_speed = std::max(w.max_speed, model_->max_speed());
 }
 
 ObstacleForce FlowSide::force(int id, double window) {
   ObstacleForce out;
-  const auto impulse = solver_->obstacle_impulse(id);
+  const auto impulse = model_->obstacle_impulse(id);
   for (int q = 0; q < 2; ++q) out.force[q] = density_ * (impulse[q] - impulse_[id][q]) / window;
   impulse_[id] = impulse;
   const CellBox& box = footprint_[id];
   for (int j = box.j0; j < box.j1; ++j)
-    for (int i = box.i0; i < box.i1; ++i) out.depth_on_top = std::max(out.depth_on_top, solver_->at(i, j).h);
+    for (int i = box.i0; i < box.i1; ++i) out.depth_on_top = std::max(out.depth_on_top, model_->at(i, j).h);
   return out;
 }
 
 double FlowSide::overtopped(int id) const {
-  return density_ * solver_->gauge(gauge_[id]);
+  return density_ * model_->gauge(gauge_[id]);
 }
 
 FrameView FlowSide::frame() {
-  solver_->gather(h_, hu_, hv_);
+  model_->gather(h_, hu_, hv_);
   FrameView view;
   view.h = &h_;
   view.hu = &hu_;
   view.hv = &hv_;
-  view.zone = solver_->covered();
+  if (solver_) view.zone = solver_->covered();
   return view;
 }
 

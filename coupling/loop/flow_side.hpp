@@ -1,6 +1,7 @@
 #pragma once
 // The solver's share of a run: built from the scene, read into the ledgers.
 
+#include "continuum/flow_model.hpp"
 #include "coupling/loop/observer.hpp"
 #include "coupling/scene/scene.hpp"
 
@@ -10,7 +11,8 @@ class FlowSide {
  public:
   FlowSide(const Scene&, const ReferenceSurface&, int threads);
 
-  Solver& solver() { return *solver_; }
+  FlowModel& model() { return *model_; }
+  Solver& solver() { return *solver_; }  // of the coupled mode, whose scenes are central upwind
   const std::vector<double>& bed() const { return bed_; }
   double density() const { return density_; }            // [kg/m3]
   double initial_mass() const { return initial_mass_; }  // [kg]
@@ -28,7 +30,8 @@ class FlowSide {
 
  private:
   double density_;
-  std::unique_ptr<Solver> solver_;
+  std::unique_ptr<FlowModel> model_;
+  Solver* solver_ = nullptr;  // the same, where the scheme is central upwind
   std::vector<double> bed_;
   std::vector<int> gauge_;                      // by obstacle
   std::vector<std::array<double, 2>> impulse_;  // by obstacle, at the last call

@@ -21,6 +21,7 @@ Limiter limiter_of(const std::string& word) {
   if (word == "van_leer") return Limiter::van_leer;
   if (word == "mc") return Limiter::mc;
   if (word == "superbee") return Limiter::superbee;
+  if (word == "eno") return Limiter::eno;
   return Limiter::minmod;
 }
 
@@ -88,6 +89,11 @@ StepBed step_bed(const Scene& scene) {
     bed.obstacles.push_back({o.name, o.x, o.x + o.length, o.y - o.width / 2, o.y + o.width / 2, o.height});
   }
   return bed;
+}
+
+// check_scene lets no step obstacle through to this scheme, and the scene has no other elevation.
+NocBed noc_bed(const Scene&) {
+  return {};
 }
 
 ReferenceSurface reference_surface(const Scene& scene) {

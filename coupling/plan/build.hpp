@@ -1,6 +1,7 @@
 #pragma once
 // Scene -> what the continuum and the engine are made of.
 
+#include "continuum/noc/noc_solver.hpp"
 #include "continuum/solver.hpp"
 #include "coupling/scene/scene.hpp"
 
@@ -11,7 +12,8 @@ namespace couloir {
 Grid grid_of(const Scene&);
 
 SolverSettings solver_settings(const Scene&);
-StepBed step_bed(const Scene&);
+StepBed step_bed(const Scene&);  // central_upwind
+NocBed noc_bed(const Scene&);    // noc
 ReferenceSurface reference_surface(const Scene&);
 Closure closure_of(const Scene&);  // mode grains: hydraulic, whatever the angles
 

@@ -154,6 +154,8 @@ Plan make_plan(const Scene& scene) {
 
   if (scene.mode != Mode::grains) {
     plan.grid = grid_of(scene);
+    plan.scheme = scene.continuum.scheme;
+    plan.limiter = scene.continuum.limiter;
     plan.cells = static_cast<std::int64_t>(plan.grid.nx) * plan.grid.ny;
     plan.dt = least_step(scene, plan.grid);
     plan.steps = whole(scene.duration / plan.dt);

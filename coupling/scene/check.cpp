@@ -130,6 +130,26 @@ struct Checker {
     }
   }
 
+  void scheme() const {
+    if (!continuum()) return;
+    const bool noc = scene.continuum.scheme == "noc";
+    if (!noc && scene.continuum.limiter == "eno") {
+      fail("continuum.limiter", "is eno, which scheme central_upwind does not have; use scheme: noc, or another limiter");
+    }
+    if (noc && scene.mode == Mode::coupled) {
+      fail("continuum.scheme",
+           "is noc, which runs in mode continuum only: it has no zone for grains; use central_upwind, or mode: "
+           "continuum");
+    }
+    for (const ObstacleSpec& o : scene.obstacles) {
+      if (noc) {
+        fail("obstacles." + o.name,
+             "is a step of the bed, which scheme noc cannot have: it knows obstacles by the bed's slope alone; use method: "
+             "elevation, or continuum.scheme: central_upwind");
+      }
+    }
+  }
+
   void mesh() const {
     if (!continuum()) return;
     const double cell = scene.continuum.cell;
@@ -248,6 +268,7 @@ void check_scene(const Scene& scene) {
   check.material();
   check.sides();
   check.release();
+  check.scheme();
   check.mesh();
   check.obstacles();
   check.diameter();

@@ -67,10 +67,11 @@ struct SideSpec {
 };
 
 struct ContinuumSpec {
-  double cell = 0;  // [m]
+  std::string scheme = "central_upwind";  // | noc
+  double cell = 0;                        // [m]
   double cfl = 0.45;
   std::string closure = "active_passive";  // | hydraulic
-  std::string limiter = "minmod";          // | van_leer | mc | superbee
+  std::string limiter = "minmod";          // | van_leer | mc | superbee | eno
   std::string curvature = "automatic";     // | on | off
 };
 

@@ -183,17 +183,20 @@ void add_boundaries(Keys& k) {
 
 void add_continuum(Keys& k) {
   k.add(mapping("continuum", "the depth-averaged solver"));
+  k.add(word("continuum.scheme", "central_upwind, or noc: the staggered scheme (3.2)-(3.23), mode continuum only",
+             {"central_upwind", "noc"}, COULOIR_AT(continuum.scheme)));
   k.add(number("continuum.cell", length, "edge of a cell; adjusted so that the domain holds a whole number",
                COULOIR_AT(continuum.cell))
             .above(0)
             .optional());
-  k.add(number("continuum.cfl", none, "Courant number; at 0.5 ends the scheme's positivity", COULOIR_AT(continuum.cfl))
+  k.add(number("continuum.cfl", none, "Courant number; at 0.5 ends the positivity of central_upwind, and the bound (3.22) of noc",
+               COULOIR_AT(continuum.cfl))
             .above(0)
             .upto(0.5));
   k.add(word("continuum.closure", "earth pressure: (2.83)-(2.86), or K = 1", {"active_passive", "hydraulic"},
              COULOIR_AT(continuum.closure)));
-  k.add(word("continuum.limiter", "of the reconstruction", {"minmod", "van_leer", "mc", "superbee"},
-             COULOIR_AT(continuum.limiter)));
+  k.add(word("continuum.limiter", "of the reconstruction; eno with scheme noc only",
+             {"minmod", "van_leer", "mc", "superbee", "eno"}, COULOIR_AT(continuum.limiter)));
   k.add(word("continuum.curvature", "the term kappa u^2 in the friction; automatic: where the surface has an arc",
              {"automatic", "on", "off"}, COULOIR_AT(continuum.curvature)));
 }

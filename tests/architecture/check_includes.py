@@ -10,6 +10,8 @@ ALLOWED = {
     "continuum/mesh": ["continuum/flow", "continuum/terrain", "continuum/errors.hpp"],
     "continuum/boundary": ["continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/errors.hpp"],
     "continuum/scheme": ["continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/boundary", "continuum/errors.hpp"],
+    "continuum/noc": ["continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/boundary", "continuum/scheme",
+                      "continuum/flow_model.hpp", "continuum/bytes.hpp", "continuum/errors.hpp"],
     "continuum/exact": ["continuum/flow", "continuum/terrain"],
     "continuum": ["continuum"],
     "coupling/scene": [],

@@ -17,7 +17,7 @@ inline Bits bits_of(const FlowModel& m) {
 inline NocSolver heap_on_bump(int threads, std::array<Side, 4> s4 = sides(Side::Kind::outflow, Side::Kind::wall),
                               double mirror = 1, Limiter limiter = Limiter::minmod) {
   SolverSettings s;
-  s.grid = {60, 40, 0.02, 0.02, 0, -0.4};
+  s.grid = {60, 40, 0.02, 1.0 / 64, 0, -20.0 / 64};  // rows mirrored to the bit
   s.closure = quartz();
   s.sides = s4;
   s.threads = threads;

@@ -1,0 +1,74 @@
+// What passed in a step: through the open sides, through gauges, onto obstacles. Taken from the shares of both half steps, before
+// the centres change.
+
+#include <algorithm>
+
+#include "continuum/noc/noc_impl.hpp"
+
+namespace couloir {
+
+double NocSolver::Impl::gain(int i, int j, int a, int b) const {
+  const noc::Point& giver = centres.points[centres.at(i, j)];
+  return share_to_centre(i, j, a, b) - noc::share_depth(giver, a == 0 ? -1 : 1, b == 0 ? -1 : 1);
+}
+
+// A corner on the side has cells on one hand only: what they get from it and did not give to it came in.
+void NocSolver::Impl::count_sides(const CellBox& box) {
+  const Grid& g = settings.grid;
+  double sum = 0;
+  const auto count = [&](int i, int j) {
+    for (int a : {0, 1}) {
+      for (int b : {0, 1}) {  // the cell of which the corner is the upper (1) or lower (0) one
+        const int ci = i - a, cj = j - b;
+        if (ci >= 0 && cj >= 0 && ci < g.nx && cj < g.ny) sum += gain(ci, cj, a, b);
+      }
+    }
+  };
+  for (int j = box.j0; j < box.j1; ++j) {
+    const bool whole_row = (j == 0 || j == g.ny) && on_open_side(1, j);
+    for (int i = box.i0; i < box.i1; ++i) {
+      if ((whole_row || i == 0 || i == g.nx) && on_open_side(i, j) && counted(i, j)) count(i, j);
+    }
+  }
+  budget.mass_boundary += g.dx * g.dy * sum;
+}
+
+// The exchange of a corner across the gauge's line: half of what the cells beyond gain less what those before it do. On the
+// domain's side only one of them is there. Gauges side by side add up.
+void NocSolver::Impl::count_gauges(const CellBox& box) {
+  const Grid& g = settings.grid;
+  for (Gauge& gauge : gauges) {
+    if (gauge.i < box.i0 || gauge.i >= box.i1) continue;
+    const bool before = gauge.i > 0, beyond = gauge.i < g.nx;
+    double sum = 0;
+    for (int j = std::max(gauge.j0, box.j0); j < std::min(gauge.j1, box.j1 - 1); ++j) {
+      for (int b : {0, 1}) {
+        const double in = beyond ? gain(gauge.i, j, 0, b) : 0.0, out = before ? gain(gauge.i - 1, j, 1, b) : 0.0;
+        sum += before && beyond ? 0.5 * (in - out) : in - out;
+      }
+    }
+    gauge.volume += g.dx * g.dy * sum;
+  }
+}
+
+// The sources count the push of the whole bed; the obstacles' part of it is theirs.
+void NocSolver::Impl::count_obstacles(const Lattice& givers, const CellBox& box, double tau) {
+  const double part = 0.25 * tau * settings.grid.dx * settings.grid.dy;
+  const int shift = &givers == &corners ? 1 : 0;  // quarter k belongs to centre k / 2 or corner (k + 1) / 2
+  for (int id = 0; id < terrain.obstacles(); ++id) {
+    double x = 0, y = 0;
+    for (const auto& q : terrain.obstacle(id)) {
+      const int i = (q.k + shift) / 2, j = (q.l + shift) / 2;
+      if (!box.contains(i, j)) continue;
+      const double cx = givers.quarter(i) == q.k ? -1 : 1, cy = givers.quarter(j) == q.l ? -1 : 1;
+      const double weight = terrain.weight(q.k) * noc::quarter_depth(givers.points[givers.at(i, j)], cx, cy);
+      x += weight * q.slope.x, y += weight * q.slope.y;
+    }
+    x *= part, y *= part;
+    impulse[id][0] += x, impulse[id][1] += y;
+    budget.obstacles[0] -= x, budget.obstacles[1] -= y;
+    budget.gravity[0] += x, budget.gravity[1] += y;
+  }
+}
+
+}  // namespace couloir
