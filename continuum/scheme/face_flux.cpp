@@ -33,17 +33,18 @@ void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceV
     for (int i = 0; i < axis.faces_i; ++i) {
       const int r = begin + i, l = r - step;
       const double gl = k[l] * weight[i], gr = k[r] * weight[i];
-      const double hl = h_hi[l], hr = h_lo[r];
-      const double sill = std::max(eta_hi[l] - hl, eta_lo[r] - hr);
-      const double over_l = std::max(0.0, std::min(hl, eta_hi[l] - sill));
-      const double over_r = std::max(0.0, std::min(hr, eta_lo[r] - sill));
+      const double hl = h_hi[l], hr = h_lo[r], zl = eta_hi[l] - hl, zr = eta_lo[r] - hr;
+      const double sill = std::max(zl, zr);
+      // h - (sill - z) / K, written so that K = 1 keeps the bits of a lake's level.
+      const double over_l = std::max(0.0, std::min(hl, (eta_hi[l] - sill) + (1 - 1 / k[l]) * (sill - zl)));
+      const double over_r = std::max(0.0, std::min(hr, (eta_lo[r] - sill) + (1 - 1 / k[r]) * (sill - zr)));
       const NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr);
       const double m = n.mass * std::max(loose[l], loose[r]);
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
       normal[r] = n.momentum;
-      below[r] = n.momentum + (pressure(hl, weight[i]) - pressure(over_l, weight[i]));
-      above[r] = n.momentum + (pressure(hr, weight[i]) - pressure(over_r, weight[i]));
+      below[r] = n.momentum + (pressure(hl, gl) - pressure(over_l, gl));
+      above[r] = n.momentum + (pressure(hr, gr) - pressure(over_r, gr));
       below[r] += foot(hl, over_l, un_hi[l], weight[i], deep[i]);
     }
   }

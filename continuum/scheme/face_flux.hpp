@@ -1,13 +1,15 @@
 #pragma once
 // Fluxes through the faces along one axis by hydrostatic reconstruction (Audusse et al. 2004) and HLL, and the bed's push within
-// the cells. Exact for a lake at rest.
+// the cells. Exact for a lake at rest (K = 1).
 //
-//   z* = max(zl, zr),  h* = max(0, h + z - z*) on each side
-//   normal flux seen from one side = HLL(h*l, h*r) + b(h) - b(h*),   b(h) = g cos(zeta) h^2 / 2
+//   z* = max(zl, zr),  h* = max(0, h - (z* - z) / K) on each side
+//   normal flux seen from one side = HLL(h*l, h*r) + p(h) - p(h*),   p(h) = K g cos(zeta) h^2 / 2
 //
-// The pressure in the HLL flux carries K, the bed's push b, as in (2.91) and (2.92), does not: it is the same limited push in the
-// cell and at its faces, so that a film on a steep bed is not pushed uphill. A film whose way down the slope is blocked by the
-// bed meets a wall there: else the slope's drive, which no pressure of a film balances, would give it speed without end.
+// What balances is K h + z_b, since the bed's push in (2.91), (2.92) carries no K: for a small rise p(h) - p(h*) is
+// g cos(zeta) h (z* - z), and against a wall that nothing passes it is all of the pressure p(h), never more.
+//
+// A film whose way down the slope is blocked by the bed meets a wall there: else the slope's drive, which no pressure of a film
+// balances, would give it speed without end.
 
 #include "continuum/scheme/axis.hpp"
 

@@ -21,23 +21,24 @@ class RestTest {
     if (q_.h[c] < p_.dry_depth) return true;
     if (q_.hu[c] != 0 || q_.hv[c] != 0 || !(mu_ > 0)) return false;
     const int gi = b_.i0 + i, gj = b_.j0 + j, row = b_.row();
-    const Slope x_lo = slope(c, c - 1, gi == 0 && wall(0)), x_hi = slope(c, c + 1, gi == p_.grid.nx - 1 && wall(1));
-    const Slope y_lo = slope(c, c - row, gj == 0 && wall(2)), y_hi = slope(c, c + row, gj == p_.grid.ny - 1 && wall(3));
+    const double kx = w_.kx[c], ky = w_.ky[c];
+    const Slope x_lo = slope(c, c - 1, kx, gi == 0 && wall(0)), x_hi = slope(c, c + 1, kx, gi == p_.grid.nx - 1 && wall(1));
+    const Slope y_lo = slope(c, c - row, ky, gj == 0 && wall(2)), y_hi = slope(c, c + row, ky, gj == p_.grid.ny - 1 && wall(3));
     double fx = 0, fy = 0;
-    return holds(x_lo, x_hi, b_.tan_zeta[i + Block::ghosts], w_.kx[c], p_.grid.dx, fx) &&
-           holds(y_lo, y_hi, 0, w_.ky[c], p_.grid.dy, fy) && fx * fx + fy * fy <= mu_ * mu_;
+    return holds(x_lo, x_hi, b_.tan_zeta[i + Block::ghosts], kx, p_.grid.dx, fx) && holds(y_lo, y_hi, 0, ky, p_.grid.dy, fy) &&
+           fx * fx + fy * fy <= mu_ * mu_;
   }
 
  private:
   bool wall(int side) const { return p_.sides[side].kind == Side::Kind::wall; }
 
-  Slope slope(int c, int n, bool closed) const {
+  Slope slope(int c, int n, double k, bool closed) const {
     if (closed) return {};
     const double to_neighbour = n > c ? 1.0 : -1.0;
     const double bed = to_neighbour * (b_.bed[n] - b_.bed[c]);
     const double head_c = q_.h[c] + b_.bed[c], head_n = q_.h[n] + b_.bed[n];
     if (b_.top[n] == b_.top[c]) {
-      if (q_.h[n] < p_.dry_depth && b_.bed[n] >= head_c) return {};
+      if (b_.bed[n] - b_.bed[c] >= k * q_.h[c]) return {};
       return {true, to_neighbour * (head_n - head_c), bed};
     }
     const double sill = std::max(b_.bed[c] + b_.top[c], b_.bed[n] + b_.top[n]);
