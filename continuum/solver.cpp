@@ -164,6 +164,27 @@ int Solver::add_gauge(int i, int j0, int j1) {
   return id;
 }
 
+int Solver::add_control_box(const CellBox& box) {
+  const Grid& g = grid();
+  if (box.empty() || box.i0 < 0 || box.j0 < 0 || box.i1 > g.nx || box.j1 > g.ny) {
+    throw std::out_of_range("A control box needs cells, and all of them inside the grid; move it.");
+  }
+  impl_->boxes.push_back({box, impl_->momentum_in(box), {}});
+  const int id = static_cast<int>(impl_->boxes.size()) - 1;
+  impl_->lay_box(id);
+  return id;
+}
+
+std::array<double, 2> Solver::control_box_impulse(int id) const {
+  const Impl::ControlBox& box = impl_->boxes.at(id);
+  const auto now = impl_->momentum_in(box.cells);
+  std::array<double, 2> out;
+  for (int k : {0, 1}) {
+    out[k] = box.terms.faces[k] + (k == 0 ? box.terms.weight : 0.0) + box.terms.friction[k] - (now[k] - box.before[k]);
+  }
+  return out;
+}
+
 double Solver::gauge(int id) const {
   return impl_->gauges.at(id).volume;
 }

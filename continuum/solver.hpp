@@ -57,7 +57,11 @@ class Solver final : public FlowModel {
   FaceFlux passed(SideName, int k) const;
   void reset_rim();
 
-  std::array<double, 2> obstacle_impulse(int id) const override;  // of the StepBed
+  // On a step of the StepBed the blocked flux at its faces, on elevation the bed's push (scheme/bed_push.hpp); friction on its top
+  // is not in it.
+  std::array<double, 2> obstacle_impulse(int id) const override;
+  int add_control_box(const CellBox&) override;
+  std::array<double, 2> control_box_impulse(int id) const override;
   int add_gauge(int i, int j0, int j1) override;
   double gauge(int id) const override;
 

@@ -8,7 +8,7 @@
 namespace couloir {
 namespace {
 
-constexpr std::uint64_t signature = 0x31526c6f75636f63;  // changes with the layout
+constexpr std::uint64_t signature = 0x32526c6f75636f63;  // changes with the layout
 
 constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
 
@@ -30,6 +30,8 @@ std::vector<std::uint8_t> Solver::checkpoint() const {
   for (const auto& impulse : m.impulse) put(impulse);
   put(static_cast<int>(m.gauges.size()));
   for (const Impl::Gauge& g : m.gauges) put(g);
+  put(static_cast<int>(m.boxes.size()));
+  for (const Impl::ControlBox& b : m.boxes) put(b);
   put(m.budget);
   return std::move(put.bytes);
 }
@@ -66,6 +68,13 @@ void Solver::restore(const std::vector<std::uint8_t>& bytes) {
   for (int g = 0; g < gauges; ++g) {
     m.gauges.push_back(in.take<Impl::Gauge>());
     m.lay_gauge(g);
+  }
+  const int boxes = in.take<int>();
+  m.boxes.clear();
+  for (BlockFaces& f : m.faces) f.boxes.clear();
+  for (int b = 0; b < boxes; ++b) {
+    m.boxes.push_back(in.take<Impl::ControlBox>());
+    m.lay_box(b);
   }
   m.budget = in.take<Budget>();
   if (!in.done()) throw std::invalid_argument("The continuum's checkpoint is longer than its state; restore an earlier one.");

@@ -56,6 +56,7 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
     states[k].start.resize(b.size());
     states[k].open.assign(b.size(), 1.0);
     faces[k].steps = StepFaces(b);
+    faces[k].pushed = PushedCells(b);
     largest = std::max(largest, b.size());
     const bool at_side[] = {b.i0 == 0, b.i0 + b.nx == s.grid.nx, b.j0 == 0, b.j0 + b.ny == s.grid.ny};
     for (int side = 0; side < 4; ++side) {
@@ -151,7 +152,7 @@ void Solver::Impl::run(StageName stage, double dt) {
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
   for (int k = 0; k < n; ++k) {
     const int b = chosen[k];
-    tally[b].reset(impulse.size(), gauges.size());
+    tally[b].reset(impulse.size(), gauges.size(), boxes.size());
     run_stage(parameters, mesh.blocks()[b], faces[b], zone, states[b], scratch[omp_get_thread_num()], stage, dt, tally[b]);
   }
 }
@@ -193,6 +194,7 @@ void Solver::Impl::collect_tallies() {
         impulse[o][1] += t.impulse[o][1];
       }
       for (std::size_t g = 0; g < gauges.size(); ++g) gauges[g].volume += t.gauge[g];
+      for (std::size_t n = 0; n < boxes.size(); ++n) boxes[n].terms.add(t.boxes[n]);
       min_depth = min_depth_met ? std::min(min_depth, t.min_depth) : t.min_depth;
       min_depth_met = true;
       cell_updates += static_cast<std::int64_t>(b.nx) * b.ny;
@@ -323,6 +325,30 @@ void Solver::Impl::lay_gauge(int id) {
     const int i = g.i - b.i0, j0 = std::max(g.j0 - b.j0, 0), j1 = std::min(g.j1 - b.j0, b.ny);
     if (i >= 0 && i < b.nx + (last ? 1 : 0) && j0 < j1) faces[n].gauges.push_back({id, i, j0, j1});
   }
+}
+
+void Solver::Impl::lay_box(int id) {
+  const CellBox& box = boxes[id].cells;
+  for (std::size_t n = 0; n < faces.size(); ++n) {
+    const Block& b = mesh.blocks()[n];
+    const int i0 = std::max(box.i0 - b.i0, 0), i1 = std::min(box.i1 - b.i0, b.nx);
+    const int j0 = std::max(box.j0 - b.j0, 0), j1 = std::min(box.j1 - b.j0, b.ny);
+    if (i0 >= i1 || j0 >= j1) continue;
+    faces[n].boxes.push_back(
+        {id, i0, i1, j0, j1, {b.i0 + i0 == box.i0, b.i0 + i1 == box.i1, b.j0 + j0 == box.j0, b.j0 + j1 == box.j1}});
+  }
+}
+
+std::array<double, 2> Solver::Impl::momentum_in(const CellBox& box) const {
+  std::array<double, 2> sum{};
+  for (int j = box.j0; j < box.j1; ++j) {
+    for (int i = box.i0; i < box.i1; ++i) {
+      const FlowState q = get(i, j);
+      sum[0] += q.hu, sum[1] += q.hv;
+    }
+  }
+  const double area = settings.grid.dx * settings.grid.dy;
+  return {sum[0] * area, sum[1] * area};
 }
 
 void Solver::Impl::put(int i, int j, const FlowState& q) {

@@ -20,6 +20,12 @@ struct Solver::Impl {
     double volume;
   };
 
+  struct ControlBox {
+    CellBox cells;
+    std::array<double, 2> before;  // momentum when it was added [m4/s]
+    BoxTerms terms;
+  };
+
   Impl(const SolverSettings&, const ReferenceSurface&, const StepBed&);
 
   // The step.
@@ -45,6 +51,8 @@ struct Solver::Impl {
   void lay_rim();
 
   void lay_gauge(int id);
+  void lay_box(int id);
+  std::array<double, 2> momentum_in(const CellBox&) const;  // [m4/s]
   void put(int i, int j, const FlowState&);
   FlowState get(int i, int j) const;
   template <class F>
@@ -67,6 +75,7 @@ struct Solver::Impl {
   CoveredZone zone;
   std::vector<std::array<double, 2>> impulse;
   std::vector<Gauge> gauges;
+  std::vector<ControlBox> boxes;
   Budget budget;
   double steepest = 0;  // how fast slope and bed speed the flow up [1/s2]
   double time = 0;

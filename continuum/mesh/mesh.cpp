@@ -20,6 +20,13 @@ Mesh::Mesh(const Grid& grid, int edge, const ReferenceSurface& surface, const St
   require(edge >= 2, "A block needs at least 2 cells along its edge; raise the block size.");
   require(bed.elevation.empty() || bed.elevation.size() == static_cast<std::size_t>(grid.nx) * grid.ny,
           "The bed elevation needs one value for each cell of the grid (or none); sample it on the solver's own grid.");
+  require(
+      bed.owner.empty() || bed.owner.size() == bed.elevation.size(),
+      "The owners of the bed elevation need one number for each of its values (or none); fill both on the solver's own grid.");
+  for (int owner : bed.owner) {
+    require(owner >= -1 && owner < static_cast<int>(bed.obstacles.size()),
+            "An owner of the bed elevation is not among the obstacles; give each its place in the list.");
+  }
   blocks_x_ = (grid.nx + edge - 1) / edge;
   blocks_y_ = (grid.ny + edge - 1) / edge;
   blocks_.reserve(static_cast<std::size_t>(blocks_x_) * blocks_y_);
@@ -78,10 +85,12 @@ void Mesh::lay_bed(Block& b, const StepBed& bed) {
   b.bed.assign(b.size(), 0.0);
   b.top.assign(b.size(), 0.0);
   b.obstacle.assign(b.size(), -1);
+  b.pushed.assign(b.size(), -1);
   for (int j = 0; j < b.ny; ++j) {
     for (int i = 0; i < b.nx; ++i) {
       const int c = b.at(i, j);
       if (!bed.elevation.empty()) b.bed[c] = bed.elevation[static_cast<std::size_t>(b.j0 + j) * grid_.nx + b.i0 + i];
+      b.pushed[c] = pushed_by(b.i0 + i, b.j0 + j, bed);
       const double x = grid_.x(b.i0 + i), y = grid_.y(b.j0 + j);
       for (std::size_t k = 0; k < bed.obstacles.size(); ++k) {
         const StepObstacle& o = bed.obstacles[k];
@@ -93,6 +102,19 @@ void Mesh::lay_bed(Block& b, const StepBed& bed) {
       }
     }
   }
+}
+
+// Neighbours are looked up as on a periodic domain: across a closed side there is no push to count.
+int Mesh::pushed_by(int i, int j, const StepBed& bed) const {
+  if (bed.owner.empty()) return -1;
+  const auto owner = [&](int di, int dj) {
+    const int ni = (i + di + grid_.nx) % grid_.nx, nj = (j + dj + grid_.ny) % grid_.ny;
+    return bed.owner[static_cast<std::size_t>(nj) * grid_.nx + ni];
+  };
+  for (const int found : {owner(0, 0), owner(-1, 0), owner(1, 0), owner(0, -1), owner(0, 1)}) {
+    if (found >= 0) return found;
+  }
+  return -1;
 }
 
 }  // namespace couloir

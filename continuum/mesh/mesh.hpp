@@ -34,6 +34,7 @@ class Mesh {
  private:
   void lay_columns(Block&, const ReferenceSurface&, double gravity, bool curvature);
   void lay_bed(Block&, const StepBed&);
+  int pushed_by(int i, int j, const StepBed&) const;  // of a grid cell
 
   Grid grid_;
   int edge_ = 0, blocks_x_ = 0, blocks_y_ = 0;

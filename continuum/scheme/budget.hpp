@@ -12,10 +12,11 @@ struct Budget {
   double mass_clipped = 0;          // [m3] created by removing negative depths; 0 unless something is wrong
   std::array<double, 2> gravity{};  // [m4/s] downslope weight and bed slope
   std::array<double, 2> friction{};
-  std::array<double, 2> boundary{};   // momentum and pressure through the domain's sides
-  std::array<double, 2> zone{};       // through the faces of the covered zone
-  std::array<double, 2> obstacles{};  // from step obstacles, all together
-  std::array<double, 2> cutoff{};     // momentum dropped where the depth is below dry_depth
+  std::array<double, 2> boundary{};              // momentum and pressure through the domain's sides
+  std::array<std::array<double, 2>, 4> sides{};  // the same by SideName; what a wall gives to the flow
+  std::array<double, 2> zone{};                  // through the faces of the covered zone
+  std::array<double, 2> obstacles{};             // from obstacles, steps and elevation, all together
+  std::array<double, 2> cutoff{};                // momentum dropped where the depth is below dry_depth
 
   void add(const Budget& b) {
     mass_boundary += b.mass_boundary;
@@ -25,6 +26,7 @@ struct Budget {
       gravity[k] += b.gravity[k];
       friction[k] += b.friction[k];
       boundary[k] += b.boundary[k];
+      for (int side = 0; side < 4; ++side) sides[side][k] += b.sides[side][k];
       zone[k] += b.zone[k];
       obstacles[k] += b.obstacles[k];
       cutoff[k] += b.cutoff[k];

@@ -36,10 +36,11 @@ struct Scratch {
   FaceValues values;
   FaceFluxes x, y;
   std::vector<double> source_x, source_y;    // momentum from the bed within the cell [m2/s2]
+  std::vector<double> lost_x, lost_y;        // to friction and cut-off in this stage [m2/s]; only where a control box asks
   std::vector<std::vector<double>> columns;  // sums by column of the block
 
   void resize(int n) {
-    for (auto* a : {&u, &v, &eta, &kx, &ky, &loose, &smooth, &source_x, &source_y}) a->resize(n);
+    for (auto* a : {&u, &v, &eta, &kx, &ky, &loose, &smooth, &source_x, &source_y, &lost_x, &lost_y}) a->resize(n);
     values.resize(n), x.resize(n), y.resize(n);
   }
 };

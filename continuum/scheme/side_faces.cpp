@@ -47,6 +47,8 @@ void count_sides(const Parameters& p, const Block& b, const BlockState& s, const
     t.budget.mass_boundary += inward * f.mass[face];
     t.budget.boundary[normal] += inward * f.normal[face];
     t.budget.boundary[1 - normal] += inward * f.tangent[face];
+    t.budget.sides[side][normal] += inward * f.normal[face];
+    t.budget.sides[side][1 - normal] += inward * f.tangent[face];
   });
 }
 

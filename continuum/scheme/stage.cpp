@@ -49,9 +49,13 @@ void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, con
     fluxes_along(axis, p, b, faces, zone, s, w);
     count_sides(p, b, s, axis, 0.5 * dt, t);
     count_step_faces(faces.steps, b, s, axis, 0.5 * dt, t);
+    count_bed_push(faces.pushed, b, s, axis, 0.5 * dt, t);
+    count_box_faces(faces.boxes, b, axis, 0.5 * dt, t);
   }
   count_gauges(faces, b, s, x, 0.5 * dt, t);
-  update(p, b, s, w, stage, dt, t);
+  count_box_weight(faces.boxes, b, s, p.grid, 0.5 * dt, t);
+  update(p, b, s, w, stage, dt, !faces.boxes.empty(), t);
+  count_box_friction(faces.boxes, b, w, p.grid, t);
 }
 
 double signal_rate(const Parameters& p, const Block& b, const BlockFaces& faces, const BlockState& s, Scratch& w) {

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "continuum/boundary/covered_zone.hpp"
+#include "continuum/scheme/bed_push.hpp"
+#include "continuum/scheme/control_box.hpp"
 #include "continuum/scheme/side_faces.hpp"
 #include "continuum/scheme/step_faces.hpp"
 #include "continuum/scheme/update.hpp"
@@ -18,8 +20,10 @@ struct GaugeFaces {
 // What a block knows besides its cells.
 struct BlockFaces {
   StepFaces steps;
+  PushedCells pushed;
   std::vector<RimFace> rim;
   std::vector<GaugeFaces> gauges;
+  std::vector<BoxPart> boxes;
 };
 
 void run_stage(const Parameters&, const Block&, const BlockFaces&, const CoveredZone&, BlockState&, Scratch&, StageName,

@@ -36,7 +36,7 @@ inline Halves halves(double lower, double upper, bool lower_locked, bool upper_l
   return {free_lower + free_upper, (lower - free_lower) + (upper - free_upper)};
 }
 
-template <StageName stage>
+template <StageName stage, bool keep_losses>
 void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, double dt, int j) {
   const int row = b.row(), begin = b.at(0, j);
   const double per_dx = 1 / p.grid.dx, per_dy = 1 / p.grid.dy, mu = p.closure.tan_delta, dry = p.dry_depth;
@@ -55,6 +55,7 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
   double *sum_cx = w.columns[cutoff_x].data(), *sum_cy = w.columns[cutoff_y].data();
   double *sum_clip = w.columns[clipped].data(), *min_h = w.columns[least].data(), *max_h = w.columns[most].data();
   double* bad = w.columns[not_finite].data();
+  double *kept_x = w.lost_x.data(), *kept_y = w.lost_y.data();
 
 #pragma omp simd
   for (int i = 0; i < b.nx; ++i) {
@@ -116,6 +117,10 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
     sum_gy[i] += active ? 0.5 * dt * (push_y + bed_y * per_dy) : 0.0;
     sum_fx[i] += active ? lost_x : 0.0;
     sum_fy[i] += active ? lost_y : 0.0;
+    if constexpr (keep_losses) {
+      kept_x[c] = lost_x + dropped_x;
+      kept_y[c] = lost_y + dropped_y;
+    }
     sum_cx[i] += active ? dropped_x : 0.0;
     sum_cy[i] += active ? dropped_y : 0.0;
     sum_clip[i] += active && raw_h < 0 ? -0.5 * raw_h : 0.0;
@@ -128,15 +133,13 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
 
 }  // namespace
 
-void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, StageName stage, double dt, Tally& t) {
+void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, StageName stage, double dt, bool keep_losses,
+            Tally& t) {
   clear(w.columns, b.nx);
-  for (int j = 0; j < b.ny; ++j) {
-    if (stage == StageName::predictor) {
-      update_row<StageName::predictor>(p, b, s, w, dt, j);
-    } else {
-      update_row<StageName::corrector>(p, b, s, w, dt, j);
-    }
-  }
+  constexpr auto predictor = StageName::predictor, corrector = StageName::corrector;
+  const auto row = stage == predictor ? (keep_losses ? update_row<predictor, true> : update_row<predictor, false>)
+                                      : (keep_losses ? update_row<corrector, true> : update_row<corrector, false>);
+  for (int j = 0; j < b.ny; ++j) row(p, b, s, w, dt, j);
   const double area = p.grid.dx * p.grid.dy;
   t.budget.gravity[0] += area * sum(w.columns[gravity_x]);
   t.budget.gravity[1] += area * sum(w.columns[gravity_y]);

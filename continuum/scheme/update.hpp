@@ -13,6 +13,7 @@ namespace couloir {
 
 enum class StageName { predictor, corrector };
 
-void update(const Parameters&, const Block&, BlockState&, Scratch&, StageName, double dt, Tally&);
+// keep_losses: whether to leave what friction took in Scratch::lost_x, lost_y.
+void update(const Parameters&, const Block&, BlockState&, Scratch&, StageName, double dt, bool keep_losses, Tally&);
 
 }  // namespace couloir

@@ -6,7 +6,8 @@
 
 namespace couloir {
 
-// A block that stands on the bed with its axis along the surface normal.
+// A block that stands on the bed with its axis along the surface normal. One of height 0 is no step: it keeps the number of an
+// obstacle that the elevation makes.
 struct StepObstacle {
   std::string name;
   double x0, x1, y0, y1;  // [m] footprint in reference coordinates
@@ -17,8 +18,9 @@ struct StepObstacle {
 };
 
 struct StepBed {
-  std::vector<double> elevation;        // z_b at cell centres [m], [j * nx + i]; empty: 0 everywhere
-  std::vector<StepObstacle> obstacles;  // a cell belongs to the obstacle that covers its centre
+  std::vector<double> elevation{};        // z_b at cell centres [m], [j * nx + i]; empty: 0 everywhere
+  std::vector<StepObstacle> obstacles{};  // a cell belongs to the obstacle that covers its centre
+  std::vector<int> owner{};               // obstacle whose elevation this cell has, -1: none; empty: no obstacle has any
 };
 
 }  // namespace couloir
