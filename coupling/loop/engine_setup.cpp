@@ -72,7 +72,7 @@ void add_obstacles_and_sides(EngineSetup& setup, const Scene& s, const Reference
   const GrainMaterial& m = s.material.grain;
   for (const ObstacleSpec& o : s.obstacles)
     if (zone.holds(o))
-      setup.surfaces.push_back({o.name, cuboid_mesh(surface, o, size), m.wall_friction, m.base_rolling_friction});
+      setup.surfaces.push_back({o.name, obstacle_mesh(surface, o, size), m.wall_friction, m.base_rolling_friction});
   const double half = s.terrain.width / 2, length = s.terrain.total_length();
   const auto side = [&](const char* name, std::vector<Triangle> mesh) {
     setup.surfaces.push_back({name, std::move(mesh), m.side_friction, m.base_rolling_friction});

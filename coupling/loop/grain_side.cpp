@@ -22,7 +22,7 @@ GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const Refere
   timestep_ = engine_timestep(scene, table_->grain_density());
   surface_of_obstacle_.assign(scene.obstacles.size(), -1);
   for (const ObstacleSpec& o : scene.obstacles)
-    overtopping_.emplace_back(o.x + 0.5 * o.length, o.y - 0.5 * o.width, o.y + 0.5 * o.width, table_->grain_density());
+    overtopping_.emplace_back(o.crest_x(), o.y - 0.5 * o.crest_width(), o.y + 0.5 * o.crest_width(), table_->grain_density());
 }
 
 GrainSide::~GrainSide() {

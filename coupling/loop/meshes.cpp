@@ -1,5 +1,7 @@
 #include "coupling/loop/meshes.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -8,9 +10,12 @@ namespace {
 
 using Point = std::function<Eigen::Vector3d(double a, double b)>;  // of two parameters in [0, 1]
 
+Vec vec(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
 // A sheet of n x m quadrilaterals, two triangles each.
 void sheet(std::vector<Triangle>& out, const Point& at, int n, int m) {
-  const auto vec = [](const Eigen::Vector3d& v) { return Vec{v.x(), v.y(), v.z()}; };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < m; ++j) {
       const Vec a = vec(at(double(i) / n, double(j) / m)), b = vec(at(double(i + 1) / n, double(j) / m));
@@ -18,6 +23,18 @@ void sheet(std::vector<Triangle>& out, const Point& at, int n, int m) {
       out.push_back({a, b, c});
       out.push_back({a, c, d});
     }
+}
+
+// One triangle cut into n x n alike, all of its orientation;
+// row j along a - b holds n - j upright triangles and n - j - 1 turned ones
+void facet(std::vector<Triangle>& out, const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, int n) {
+  const auto at = [&](int i, int j) { return vec(a + (b - a) * i / n + (c - a) * j / n); };
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i + j < n; ++i) {
+      out.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+      if (i + j + 1 < n) out.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
 }
 
 int pieces(double length, double size) {
@@ -55,6 +72,24 @@ std::vector<Triangle> cuboid_mesh(const ReferenceSurface& surface, const Obstacl
   sheet(
       out, [&](double a, double b) { return Eigen::Vector3d(corner + up + a * along + b * across); }, nl, nw);  // top
   return out;
+}
+
+std::vector<Triangle> tetrahedron_mesh(const ReferenceSurface& surface, const ObstacleSpec& o, double size) {
+  const double peak_x = o.crest_x();
+  const Eigen::Vector3d foot = surface.to_space({peak_x, o.y, 0}), t = surface.tangent(peak_x), n = surface.normal(peak_x);
+  const Eigen::Vector3d aside = 0.5 * o.width * Eigen::Vector3d::UnitY(), back = foot + (o.x + o.length - peak_x) * t;
+  const Eigen::Vector3d front = foot - (peak_x - o.x) * t, left = back - aside, right = back + aside, peak = foot + o.height * n;
+  const double longest = std::max({(left - front).norm(), (peak - front).norm(), (peak - left).norm(), o.width});
+  const int parts = pieces(longest, size);
+  std::vector<Triangle> out;
+  facet(out, front, left, peak, parts);
+  facet(out, right, front, peak, parts);
+  facet(out, left, right, peak, parts);
+  return out;
+}
+
+std::vector<Triangle> obstacle_mesh(const ReferenceSurface& surface, const ObstacleSpec& o, double size) {
+  return o.shape == ObstacleSpec::Shape::tetrahedron ? tetrahedron_mesh(surface, o, size) : cuboid_mesh(surface, o, size);
 }
 
 std::vector<Triangle> side_mesh(const ReferenceSurface& surface, double x0, double x1, double y, double height, double size) {

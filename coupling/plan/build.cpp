@@ -86,14 +86,47 @@ SolverSettings solver_settings(const Scene& scene) {
 StepBed step_bed(const Scene& scene) {
   StepBed bed;
   for (const ObstacleSpec& o : scene.obstacles) {
-    bed.obstacles.push_back({o.name, o.x, o.x + o.length, o.y - o.width / 2, o.y + o.width / 2, o.height});
+    const double step = o.method == ObstacleSpec::Method::step ? o.height : 0;
+    bed.obstacles.push_back({o.name, o.x, o.x + o.length, o.y - o.width / 2, o.y + o.width / 2, step});
+  }
+  const Elevation smooth = elevation(scene);
+  if (smooth.empty()) return bed;
+  const Grid grid = grid_of(scene);
+  for (int j = 0; j < grid.ny; ++j) {
+    for (int i = 0; i < grid.nx; ++i) {
+      const double height = smooth.at(grid.x(i), grid.y(j));
+      bed.elevation.push_back(height);
+      bed.owner.push_back(height > 0 ? smooth.obstacle_at(grid.x(i), grid.y(j)) : -1);
+    }
   }
   return bed;
 }
 
-// check_scene lets no step obstacle through to this scheme, and the scene has no other elevation.
-NocBed noc_bed(const Scene&) {
-  return {};
+// check_scene lets no step obstacle through to this scheme.
+NocBed noc_bed(const Scene& scene) {
+  NocBed bed;
+  const Elevation smooth = elevation(scene);
+  for (const ElevationBody& body : smooth.bodies()) bed.obstacles.push_back([body](double x, double y) { return body.at(x, y); });
+  return bed;
+}
+
+Elevation elevation(const Scene& scene) {
+  Elevation all;
+  const Grid grid = grid_of(scene);
+  const double cell = std::min(grid.dx, grid.dy);
+  for (std::size_t n = 0; n < scene.obstacles.size(); ++n) {
+    const ObstacleSpec& o = scene.obstacles[n];
+    if (o.method != ObstacleSpec::Method::elevation) continue;
+    const int id = static_cast<int>(n);
+    if (o.shape == ObstacleSpec::Shape::tetrahedron) {
+      all.add(ElevationBody::tetrahedron(id, o.name, o.x, o.y, o.length, o.width, o.height));
+      continue;
+    }
+    // In so short a ramp no cell's centre may lie, but the body keeps its height.
+    const double ramp = o.ramp > 0 ? o.ramp : std::min(cell, std::min(o.length, o.width) / 4);
+    all.add(ElevationBody::cuboid(id, o.name, o.x, o.x + o.length, o.y - o.width / 2, o.y + o.width / 2, o.height, ramp, ramp));
+  }
+  return all;
 }
 
 ReferenceSurface reference_surface(const Scene& scene) {

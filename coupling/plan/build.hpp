@@ -3,6 +3,7 @@
 
 #include "continuum/noc/noc_solver.hpp"
 #include "continuum/solver.hpp"
+#include "continuum/terrain/elevation.hpp"
 #include "coupling/scene/scene.hpp"
 
 namespace couloir {
@@ -12,8 +13,11 @@ namespace couloir {
 Grid grid_of(const Scene&);
 
 SolverSettings solver_settings(const Scene&);
-StepBed step_bed(const Scene&);  // central_upwind
-NocBed noc_bed(const Scene&);    // noc
+// z_b(x, y) of the obstacles by method elevation, each by its number in the scene.
+Elevation elevation(const Scene&);
+// central_upwind: steps, and the elevation sampled at the cell centres of grid_of().
+StepBed step_bed(const Scene&);
+NocBed noc_bed(const Scene&);  // noc: the elevation alone
 ReferenceSurface reference_surface(const Scene&);
 Closure closure_of(const Scene&);  // mode grains: hydraulic, whatever the angles
 

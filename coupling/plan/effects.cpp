@@ -62,13 +62,33 @@ struct Listing {
             fmt::format("the terrain has an arc of {} with radius {}", len(s.terrain.arc), len(s.terrain.arc / s.terrain.angle))};
   }
 
-  Effect elevation() const { return {"elevation", false, "the scene has no bed elevation besides its obstacles"}; }
+  // Names and heights of the obstacles by this method.
+  std::vector<std::string> bodies(ObstacleSpec::Method method) const {
+    std::vector<std::string> names;
+    for (const ObstacleSpec& o : s.obstacles) {
+      if (o.method == method) names.push_back(fmt::format("{} ({} high)", o.name, len(o.height)));
+    }
+    return names;
+  }
+
+  Effect elevation() const {
+    const auto names = bodies(ObstacleSpec::Method::elevation);
+    if (names.empty()) return {"elevation", false, "the scene has no bed elevation besides its obstacles"};
+    if (!continuum) return {"elevation", false, mode + ": grains meet the obstacles as solid bodies"};
+    return {"elevation", true, fmt::format("bed heights of obstacles, (4.4)-(4.9): {}", fmt::join(names, ", "))};
+  }
 
   Effect obstacles() const {
     if (s.obstacles.empty()) return {"obstacles", false, "the scene has none"};
-    std::vector<std::string> names;
-    for (const ObstacleSpec& o : s.obstacles) names.push_back(fmt::format("{} ({} high)", o.name, len(o.height)));
-    return {"obstacles", true, fmt::format("{}: {}", continuum ? "steps of the bed" : "solid bodies", fmt::join(names, ", "))};
+    auto steps = bodies(ObstacleSpec::Method::step);
+    const auto smooth = bodies(ObstacleSpec::Method::elevation);
+    if (!continuum) {
+      steps.insert(steps.end(), smooth.begin(), smooth.end());
+      return {"obstacles", true, fmt::format("solid bodies: {}", fmt::join(steps, ", "))};
+    }
+    std::string text = steps.empty() ? "" : fmt::format("steps of the bed: {}", fmt::join(steps, ", "));
+    if (!smooth.empty()) text += fmt::format("{}bed elevation: {}", steps.empty() ? "" : "; ", fmt::join(smooth, ", "));
+    return {"obstacles", true, text};
   }
 
   Effect inflow() const {

@@ -100,6 +100,16 @@ struct Checker {
       fail(key, "covers x from {} to {} and y from {} to {}, which reaches out of the domain (x from 0 to {}, y from {} to {})",
            len(o.x), len(x1), len(y0), len(y1), len(length()), len(-width() / 2), len(width() / 2));
     }
+    if (o.shape == ObstacleSpec::Shape::tetrahedron) {
+      if (o.method == ObstacleSpec::Method::step) {
+        fail(key + ".method", "is step, but a tetrahedron has no upright sides; use elevation, or leave it out");
+      }
+      if (o.ramp > 0) fail(key + ".ramp", "belongs to a cuboid; a tetrahedron's faces are given by its size; leave it out");
+    }
+    if (o.ramp > std::min(o.length, o.width) / 2 + room()) {
+      fail(key + ".ramp", "is {}, more than half of the base's shorter edge ({}); shorten it", len(o.ramp),
+           len(std::min(o.length, o.width)));
+    }
     if (scene.release.kind != ReleaseSpec::Kind::uniform && overlaps_release(o)) {
       fail(key, "stands in the release; move one of them");
     }
@@ -142,7 +152,7 @@ struct Checker {
            "continuum");
     }
     for (const ObstacleSpec& o : scene.obstacles) {
-      if (noc) {
+      if (noc && o.method == ObstacleSpec::Method::step) {
         fail("obstacles." + o.name,
              "is a step of the bed, which scheme noc cannot have: it knows obstacles by the bed's slope alone; use method: "
              "elevation, or continuum.scheme: central_upwind");

@@ -10,7 +10,7 @@ using Kind = ReleaseSpec::Kind;
 
 bool on_obstacle(const Scene& scene, double x, double y) {
   for (const ObstacleSpec& o : scene.obstacles) {
-    if (x >= o.x && x <= o.x + o.length && std::abs(y - o.y) <= o.width / 2) return true;
+    if (o.covers(x, y)) return true;
   }
   return false;
 }
@@ -46,7 +46,7 @@ double shape_volume(const Scene& scene) {
       break;
   }
   double area = scene.terrain.total_length() * scene.terrain.width;
-  for (const ObstacleSpec& o : scene.obstacles) area -= o.length * o.width;
+  for (const ObstacleSpec& o : scene.obstacles) area -= o.base_area();
   return area * r.height;
 }
 

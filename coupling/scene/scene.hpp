@@ -55,9 +55,22 @@ struct ReleaseSpec {
 };
 
 struct ObstacleSpec {
+  // tetrahedron: on a triangle with one corner upstream and an edge across the slope downstream, peak above its centre (4.2),
+  // (4.3)
+  enum class Shape { cuboid, tetrahedron };
+  enum class Method { step, elevation };  // what the continuum makes of it: a jump of the bed, or a smooth bed height z_b(x, y)
+
   std::string name;
-  double x = 0, y = 0;                       // [m] middle of the upstream edge of the footprint
-  double length = 0, width = 0, height = 0;  // [m] along the slope, across it, along the normal
+  double x = 0, y = 0;                       // [m] middle of the upstream edge of the footprint; tetrahedron: its upstream corner
+  double length = 0, width = 0, height = 0;  // [m] of the base along the slope and across it; along the normal
+  Shape shape = Shape::cuboid;
+  Method method = Method::step;
+  double ramp = 0;  // [m] cuboid by elevation: length within which its sides rise; 0: automatic
+
+  bool covers(double x, double y) const;  // whether its base holds this place, edge included
+  double base_area() const;               // [m2]
+  double crest_x() const;                 // [m] the line across the slope that material must pass to have come over it ...
+  double crest_width() const;             // [m] ... and the obstacle's width there
 };
 
 struct SideSpec {

@@ -142,11 +142,40 @@ void add_obstacles(Keys& k) {
     return std::tie(o.length, o.width, o.height);
   };
   k.add(named("obstacles", "solid bodies on the bed, by names of your choice"));
-  k.add(fixed_choice("obstacles.*.shape", "its shape", "cuboid"));
-  k.add(
-      numbers("obstacles.*.position", length, "[x, y] of the middle of the upstream edge of the footprint", position).required());
-  k.add(numbers("obstacles.*.size", length, "[along, across, normal]", size).above(0).required());
-  k.add(fixed_choice("obstacles.*.method", "step: the bed jumps, nothing flows through", "step"));
+  KeyBuilder shape = choice(
+      "obstacles.*.shape",
+      "cuboid, or tetrahedron: a wedge on a triangle with one corner upstream, its peak above the "
+      "triangle's centre, (4.2)-(4.5)",
+      {"cuboid", "tetrahedron"}, [](auto& s, int i) -> auto& { return s.obstacles[i].shape; });
+  shape.key().set = [set = shape.key().set](Scene& s, int i, const Value& value) {
+    using enum ObstacleSpec::Shape;
+    using enum ObstacleSpec::Method;
+    set(s, i, value);
+    s.obstacles[i].method = s.obstacles[i].shape == tetrahedron ? elevation : step;
+  };
+  k.add(shape);
+  k.add(numbers("obstacles.*.position", length,
+                "[x, y] of the middle of the upstream edge of the footprint; tetrahedron: of its upstream corner", position)
+            .required());
+  k.add(numbers("obstacles.*.size", length,
+                "[along, across, normal] of the base and the height; tetrahedron: an equilateral base of edge L is [0.8660254 L, "
+                "L, height]",
+                size)
+            .above(0)
+            .required());
+  k.add(choice(
+      "obstacles.*.method",
+      "of the continuum; step: the bed jumps, nothing flows through; elevation: a smooth bed height, (4.4)-(4.9), as a "
+      "tetrahedron always is",
+      {"step", "elevation"}, [](auto& s, int i) -> auto& { return s.obstacles[i].method; }));
+  k.add(number(
+            "obstacles.*.ramp", length,
+            "of a cuboid: its sides rise within this length inside its base, (4.6); none: one cell, at most a quarter of the "
+            "shorter edge",
+            [](auto& s, int i) -> auto& { return s.obstacles[i].ramp; })
+            .above(0)
+            .optional()
+            .when("method", {"elevation"}));
 }
 
 void add_boundaries(Keys& k) {

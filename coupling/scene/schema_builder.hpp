@@ -149,13 +149,4 @@ KeyBuilder choice(const std::string& path, const std::string& help, const std::v
   return builder;
 }
 
-// A choice of which there is one today.
-inline KeyBuilder fixed_choice(const std::string& path, const std::string& help, const std::string& only) {
-  KeyBuilder builder(path, ValueKind::choice, help);
-  builder.key().choices = {only};
-  builder.key().get = [only](const Scene&, int) -> Value { return only; };
-  builder.key().set = [](Scene&, int, const Value&) {};
-  return builder;
-}
-
 }  // namespace couloir::schema_builder

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 namespace couloir {
@@ -41,6 +42,42 @@ TEST(Meshes, CuboidHasFiveFacesAndStandsOnTheBed) {
   EXPECT_NEAR(high, 0.04, 1e-12);
   EXPECT_NEAR(first, 0.40, 1e-12);
   EXPECT_NEAR(last, 0.41, 1e-12);
+}
+
+// The seed's wedge: faces by (4.2), (4.3), closed but for its base, all normals outward, edges no longer than asked.
+TEST(Meshes, TetrahedronHasThreeFacesThatLookOut) {
+  ObstacleSpec o{"wedge", 0.65, 0.02, std::sqrt(3.0) / 2 * 0.16, 0.16, 0.08, ObstacleSpec::Shape::tetrahedron};
+  const auto surface = ReferenceSurface::incline(0.7, 1);
+  for (const double size : {1.0, 0.03}) {
+    const auto mesh = obstacle_mesh(surface, o, size);
+    EXPECT_EQ(mesh.size() == 3, size == 1.0);
+    const double xc = 0.65 + 0.16 / std::sqrt(3.0), apothem = o.length - 0.16 / std::sqrt(3.0);
+    EXPECT_NEAR(area(mesh), 3 * 0.5 * 0.16 * std::hypot(apothem, 0.08), 1e-12);
+    double volume = 0, high = 0;
+    std::array<double, 3> sum{};
+    for (const Triangle& t : mesh) {
+      const Eigen::Vector3d a(t.a[0], t.a[1], t.a[2]), b(t.b[0], t.b[1], t.b[2]), c(t.c[0], t.c[1], t.c[2]);
+      for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}}) EXPECT_LE((p - q).norm(), size * (1 + 1e-9));
+      const Eigen::Vector3d normal = 0.5 * (b - a).cross(c - a);
+      const Eigen::Vector3d inside(xc, 0.02, 0.01);
+      EXPECT_GT(normal.dot((a + b + c) / 3 - inside), 0);
+      EXPECT_GT(normal.z(), 0);
+      volume += normal.dot((a + b + c) / 3) / 3;
+      for (int k = 0; k < 3; ++k) sum[k] += normal[k];
+      for (const auto& p : {a, b, c}) {
+        high = std::max(high, p.z());
+        if (p.z() > 0.08 - 1e-9) {
+          EXPECT_NEAR((p - Eigen::Vector3d(xc, 0.02, 0.08)).norm(), 0, 1e-12);
+        }
+      }
+    }
+    const double base = 0.5 * 0.16 * o.length;
+    EXPECT_NEAR(volume, base * 0.08 / 3, 1e-12);  // the base lies in z = 0 and adds nothing
+    EXPECT_NEAR(sum[0], 0, 1e-12);
+    EXPECT_NEAR(sum[1], 0, 1e-12);
+    EXPECT_NEAR(sum[2], base, 1e-12);
+    EXPECT_NEAR(high, 0.08, 1e-12);
+  }
 }
 
 }  // namespace

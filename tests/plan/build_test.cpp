@@ -123,5 +123,36 @@ TEST(Build, MeanGrainVolume) {
   EXPECT_NEAR(mean_grain_volume(grains) / sum, 1, 1e-6);
 }
 
+TEST(Build, ElevationOfEachShape) {
+  const Scene wall =
+      experiment("chiou_wall", {{"obstacles.wall.method", "elevation"}, {"obstacles.wall.size", "[40 mm, 160 mm, 80 mm]"}});
+  const Grid g = grid_of(wall);
+  const Elevation z = elevation(wall);
+  ASSERT_EQ(z.bodies().size(), 1u);
+  EXPECT_EQ(z.at(0.67, 0), 0.08);
+  EXPECT_NEAR(z.slope_x(0.651, 0), 0.08 / g.dx, 1e-9);  // a ramp of one cell
+  const StepBed bed = step_bed(wall);
+  ASSERT_EQ(bed.elevation.size(), std::size_t(g.nx) * g.ny);
+  ASSERT_EQ(bed.owner.size(), bed.elevation.size());
+  EXPECT_EQ(bed.obstacles[0].height, 0);
+  const std::size_t on = std::size_t(80) * g.nx + 134, beside = std::size_t(80) * g.nx + 128;
+  EXPECT_EQ(bed.elevation[on], 0.08);
+  EXPECT_EQ(bed.owner[on], 0);
+  EXPECT_EQ(bed.elevation[beside], 0);
+  EXPECT_EQ(bed.owner[beside], -1);
+  // Two cells thick: the ramp is shorter than half a cell, so that the cells' centres lie on the top.
+  const Scene thin = experiment("chiou_wall", {{"obstacles.wall.method", "elevation"}});
+  EXPECT_NEAR(step_bed(thin).elevation[std::size_t(80) * g.nx + 130], 0.08, 1e-12);
+  EXPECT_NEAR(elevation(experiment("chiou_wall", {{"obstacles.wall.method", "elevation"}, {"obstacles.wall.ramp", "4 mm"}}))
+                  .slope_x(0.652, 0),
+              20, 1e-9);
+
+  const Scene wedge = experiment("chiou_wall", {{"obstacles.wall.shape", "tetrahedron"},
+                                                {"obstacles.wall.method", "elevation"},
+                                                {"obstacles.wall.size", "[138.564 mm, 160 mm, 80 mm]"}});
+  EXPECT_NEAR(elevation(wedge).at(0.65 + 0.160 / std::sqrt(3.0), 0), 0.08, 1e-6);
+  EXPECT_NEAR(elevation(wedge).slope_x(0.68, 0.001), std::sqrt(3.0) / 2, 1e-5);
+}
+
 }  // namespace
 }  // namespace couloir

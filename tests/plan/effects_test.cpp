@@ -87,5 +87,18 @@ TEST(Effects, EachHasOneNameAndAReason) {
   }
 }
 
+TEST(Effects, ElevationIsOnWithItsBodies) {
+  const Overrides overrides{{"obstacles.wedge", "{shape: tetrahedron, position: [0.75 m, 0], size: [69 mm, 80 mm, 40 mm]}"},
+                            {"mode", "continuum"}};
+  const Scene s = experiment("chiou_wall", overrides);
+  expect(s, "elevation", true, "bed heights of obstacles, (4.4)-(4.9): wedge (40 mm high)");
+  expect(s, "obstacles", true, "steps of the bed: wall (80 mm high); bed elevation: wedge (40 mm high)");
+  const Scene grains = experiment("chiou_wall", {overrides[0], {"mode", "grains"}});
+  expect(grains, "elevation", false, "mode is grains: grains meet the obstacles as solid bodies");
+  expect(grains, "obstacles", true, "solid bodies: wall (80 mm high), wedge (40 mm high)");
+  const Scene smooth = experiment("chiou_wall", {{"obstacles.wall.method", "elevation"}});
+  expect(smooth, "obstacles", true, "bed elevation: wall (80 mm high)");
+}
+
 }  // namespace
 }  // namespace couloir

@@ -143,5 +143,21 @@ TEST_F(Check, BasalAngleBelowInternal) {
   EXPECT_EQ(error(good_scene, {{"material.basal_friction_angle", "38 deg"}, {"continuum.closure", "hydraulic"}}), "");
 }
 
+TEST_F(Check, ElevationOfObstacles) {
+  const auto wall = [](const std::string& more) { return replaced(good_scene, "80 mm]}", "80 mm], " + more + "}"); };
+  EXPECT_EQ(error(wall("method: elevation, ramp: 10 mm")), "");
+  EXPECT_EQ(error(wall("method: elevation, ramp: 11 mm")),
+            "scene.yaml:6: obstacles.wall.ramp is 11 mm, more than half of the base's shorter edge (20 mm); shorten it");
+  EXPECT_EQ(error(wall("ramp: 5 mm")), "scene.yaml:6: obstacles.wall.ramp does not belong to method 'step'; it is for elevation");
+  EXPECT_EQ(
+      error(wall("shape: tetrahedron, method: step")),
+      "scene.yaml:6: obstacles.wall.method is step, but a tetrahedron has no upright sides; use elevation, or leave it out");
+  EXPECT_EQ(error(wall("shape: tetrahedron, ramp: 5 mm")),
+            "scene.yaml:6: obstacles.wall.ramp belongs to a cuboid; a tetrahedron's faces are given by its size; leave it out");
+  EXPECT_EQ(error(wall("shape: tetraedron")),
+            "scene.yaml:6: obstacles.wall.shape is 'tetraedron', but must be one of cuboid, tetrahedron; did you mean "
+            "'tetrahedron'?");
+}
+
 }  // namespace
 }  // namespace couloir

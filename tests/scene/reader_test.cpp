@@ -212,5 +212,25 @@ TEST_F(Reader, RefusesMoreRecordsThanCanBeMeant) {
   EXPECT_NE(text.find("use at least"), std::string::npos) << text;
 }
 
+TEST_F(Reader, ShapesAndMethodsOfObstacles) {
+  using enum ObstacleSpec::Shape;
+  using enum ObstacleSpec::Method;
+  const auto obstacle = [&](const std::string& more) {
+    return read(replaced(good_scene, "80 mm]}", "80 mm]" + more + "}")).obstacles[0];
+  };
+  EXPECT_EQ(obstacle("").shape, cuboid);
+  EXPECT_EQ(obstacle("").method, step);
+  EXPECT_EQ(obstacle(", method: elevation").method, elevation);
+  EXPECT_EQ(obstacle(", method: elevation, ramp: 4 mm").ramp, 0.004);
+  const ObstacleSpec wedge = obstacle(", shape: tetrahedron");
+  EXPECT_EQ(wedge.shape, tetrahedron);
+  EXPECT_EQ(wedge.method, elevation) << "the shape decides where the scene says nothing";
+  const Scene again = read(write_scene(read(replaced(good_scene, "80 mm]}", "80 mm], shape: tetrahedron}"))));
+  EXPECT_EQ(again.obstacles[0].shape, tetrahedron);
+  EXPECT_EQ(again.obstacles[0].method, elevation);
+  const Scene ramp = read(write_scene(read(replaced(good_scene, "80 mm]}", "80 mm], method: elevation, ramp: 4 mm}"))));
+  EXPECT_EQ(ramp.obstacles[0].ramp, 0.004);
+}
+
 }  // namespace
 }  // namespace couloir

@@ -68,5 +68,18 @@ TEST(ReleaseShape, BlockAndUniform) {
   EXPECT_EQ(shape_depth(s, 0.9, 0.05), 0.302);
 }
 
+TEST(ReleaseShape, LeavesTheTrianglesBaseFree) {
+  Scene s = blank();
+  s.release.kind = ReleaseSpec::Kind::uniform;
+  s.release.height = 0.02;
+  s.obstacles.push_back({"wedge", 1, 0.1, 0.3, 0.4, 0.5, ObstacleSpec::Shape::tetrahedron});
+  EXPECT_NEAR(shape_volume(s), (2 * 1 - 0.5 * 0.3 * 0.4) * 0.02, 1e-15);
+  EXPECT_EQ(shape_depth(s, 1.15, 0.199), 0);
+  EXPECT_EQ(shape_depth(s, 1.15, 0.001), 0);
+  EXPECT_EQ(shape_depth(s, 1.15, 0.201), 0.02);
+  EXPECT_EQ(shape_depth(s, 1.15, -0.001), 0.02);
+  EXPECT_EQ(shape_depth(s, 0.99, 0.1), 0.02);
+}
+
 }  // namespace
 }  // namespace couloir
