@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   add_plan(app, exit_code);
   add_run(app, exit_code);
   add_report(app, exit_code);
+  add_check(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

@@ -22,6 +22,7 @@ ALLOWED = {
     "coupling/loop": ["continuum", "coupling/engine", "coupling/transfer", "coupling/scene", "coupling/plan"],
     "coupling/records": ["coupling/loop/observer.hpp", "coupling/scene", "coupling/engine/grain_engine.hpp", "continuum/solver.hpp",
                          "continuum/terrain"],
+    "coupling/check": ["coupling/scene", "coupling/records"],
     "app": ["continuum", "coupling"],
 }
 

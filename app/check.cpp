@@ -1,0 +1,66 @@
+#include "coupling/check/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/scene_options.hpp"
+#include "app/verbs.hpp"
+#include "coupling/check/check_text.hpp"
+#include "coupling/scene/scene_error.hpp"
+
+namespace couloir {
+namespace {
+
+struct CheckVerb {
+  std::vector<std::string> experiments, variants;
+  std::string runs = "runs/check";
+  int jobs = 0;
+  bool quick = false, json = false;
+};
+
+int check(const CheckVerb& verb) {
+  std::vector<Expected> expected;
+  for (const std::string& file : find_expected(verb.experiments))
+    expected.push_back(read_expected(file, {verb.quick, verb.variants}));
+  if (std::ranges::all_of(expected, [](const Expected& e) { return e.cases.empty(); }))
+    throw SceneError("there is nothing to check: no case is left; give other experiments, or another --variant");
+
+  RunPool pool(std::filesystem::read_symlink("/proc/self/exe").string(), verb.runs, materials_folder());
+  CheckSettings settings;
+  settings.jobs = verb.jobs > 0 ? verb.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  settings.on_case = [&](const std::vector<Finding>& findings) {
+    for (const Finding& f : findings) fmt::print(verb.json ? stderr : stdout, "{}\n", finding_line(f));
+    std::fflush(verb.json ? stderr : stdout);
+  };
+  const std::vector<Finding> findings = check_experiments(expected, pool, materials_folder(), settings);
+  if (verb.json)
+    fmt::print("{}\n", findings_json(findings).dump(2));
+  else
+    fmt::print("\n{}", findings_table(findings));
+  return std::ranges::any_of(findings, [](const Finding& f) { return f.verdict == Verdict::fail; }) ? 1 : 0;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CheckVerb>();
+  CLI::App* verb =
+      app.add_subcommand("check", "run experiments and compare them with their expected.yaml; exit code 1 where one fails");
+  verb->add_option("EXPERIMENT", options->experiments, "experiments' folders, or a folder of those")->required();
+  verb->add_flag("--quick", options->quick, "the short variants that the cases name; leaves out what has none");
+  verb->add_option("--variant", options->variants, "only this variant of the cases; may be given more than once")
+      ->take_all()
+      ->allow_extra_args(false);
+  verb->add_option("--jobs", options->jobs, "runs at a time; default: as many as there are cores")->check(CLI::Range(1, 256));
+  verb->add_option("--runs", options->runs, "folder of the runs, which are kept and used again");
+  verb->add_flag("--json", options->json, "print the findings alone, machine-readable");
+  verb->callback([options, &exit_code] { exit_code = check(*options); });
+}
+
+}  // namespace couloir

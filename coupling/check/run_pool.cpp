@@ -1,0 +1,150 @@
+#include "coupling/check/run_pool.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "coupling/records/provenance.hpp"
+#include "coupling/records/record_error.hpp"
+#include "coupling/records/run_folder.hpp"
+#include "coupling/records/text_file.hpp"
+
+extern char** environ;
+
+namespace couloir {
+namespace {
+
+namespace fs = std::filesystem;
+
+// FNV-1a, 64 bits.
+std::uint64_t hash_of(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const unsigned char c : text) hash = (hash ^ c) * 0x100000001b3;
+  return hash;
+}
+
+// A modified tree has no revision of its own: there the program's bytes stand for it.
+std::string program_revision(const std::string& program) {
+  const std::string& revision = provenance().revision;
+  if (revision != "unknown" && !revision.ends_with("-dirty")) return revision;
+  return fmt::format("{} {:016x}", revision, hash_of(read_text(program)));
+}
+
+std::vector<std::string> words_of(const std::string& scene, const Overrides& set) {
+  std::vector<std::string> words{"run", scene};
+  for (const auto& [key, value] : set) words.insert(words.end(), {"--set", key + "=" + value});
+  return words;
+}
+
+// The last line that a failed run left on its screen.
+std::string last_line(const std::string& path) {
+  std::ifstream file(path);
+  std::string last;
+  for (std::string line; std::getline(file, line);)
+    if (!line.empty() && line.rfind("couloir: what was computed", 0) != 0) last = line;
+  return last;
+}
+
+// Its exit code, or -1 where it could not be started or was killed.
+int run_program(const std::string& program, std::vector<std::string> words, const std::string& log) {
+  words.insert(words.begin(), program);
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&files, 2, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  pid_t pid = 0;
+  const int error = posix_spawn(&pid, program.c_str(), &files, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error != 0) return -1;
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+RunPool::RunPool(std::string program, std::string folder, std::string materials)
+    : program_(std::move(program)),
+      folder_(std::move(folder)),
+      materials_(std::move(materials)),
+      revision_(program_revision(program_)) {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) throw RecordError(fmt::format("{} cannot be made: {}", folder_, error.message()));
+}
+
+std::string RunPool::command(const std::string& scene, const Overrides& set) const {
+  std::string out = "couloir";
+  for (const std::string& word : words_of(scene, set)) {
+    const bool plain = word.find_first_of(" []{}\"'*?$") == std::string::npos;
+    out += plain ? " " + word : " '" + word + "'";
+  }
+  return out;
+}
+
+CheckedRun RunPool::run(const std::string& scene, const Overrides& set) {
+  const Scene read = read_scene(scene, materials_, set);
+  const std::string name = fmt::format("{}-{:016x}", scene_name(read), hash_of(write_scene(read) + "\n" + revision_));
+  const std::string folder = (fs::path(folder_) / name).string();
+  std::promise<CheckedRun> promise;
+  std::shared_future<CheckedRun> result;
+  bool ours = false;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto [at, added] = runs_.try_emplace(folder);
+    if (added) at->second = promise.get_future().share();
+    result = at->second;
+    ours = added;
+  }
+  if (ours) {
+    try {
+      promise.set_value(make(folder, scene, set));
+    } catch (...) {
+      promise.set_exception(std::current_exception());
+    }
+  }
+  return result.get();
+}
+
+CheckedRun RunPool::make(const std::string& folder, const std::string& scene, const Overrides& set) const {
+  CheckedRun out;
+  out.folder = folder;
+  out.command = command(scene, set);
+  const std::string summary = (fs::path(folder) / "summary.json").string();
+  if (fs::exists(summary)) {
+    out.summary = nlohmann::json::parse(read_text(summary));
+    out.reused = true;
+    return out;
+  }
+  const std::string part = fmt::format("{}.part-{}", folder, getpid()), log = part + ".log";
+  fs::remove_all(part);
+  auto words = words_of(scene, set);
+  words.insert(words.end(), {"--out", part, "--no-report"});
+  const auto start = std::chrono::steady_clock::now();
+  const int code = run_program(program_, words, log);
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (code != 0) {
+    const std::string said = last_line(log);
+    out.failure =
+        fmt::format("the run ended with exit code {}{}; what it left is in {}", code, said.empty() ? "" : ": " + said, part);
+    return out;
+  }
+  fs::remove(log);
+  fs::rename(part, folder);
+  out.summary = nlohmann::json::parse(read_text(summary));
+  return out;
+}
+
+}  // namespace couloir
