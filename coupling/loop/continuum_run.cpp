@@ -1,6 +1,7 @@
 #include <fstream>
 
 #include "coupling/loop/flow_side.hpp"
+#include "coupling/loop/gauges.hpp"
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/loop/momentum_book.hpp"
 #include "coupling/loop/names.hpp"
@@ -38,6 +39,7 @@ class ContinuumRun : public ModeRun {
       w.obstacles.push_back(flow_->force(k, w.length));
       w.overtopped += flow_->overtopped(k);
     }
+    for (const GaugeSpec& gauge : scene_.record.gauges) w.gauges.push_back(read_gauge(flow_->solver(), gauge));
   }
 
   FrameView frame() override { return flow_->frame(); }

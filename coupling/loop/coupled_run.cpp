@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "coupling/loop/flow_side.hpp"
+#include "coupling/loop/gauges.hpp"
 #include "coupling/loop/grain_side.hpp"
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/loop/momentum_book.hpp"
@@ -141,6 +142,7 @@ class CoupledRun : public ModeRun {
       w.max_overlap = a.max_overlap;
       w.max_speed = std::max(w.max_speed, grains_->max_speed());
     }
+    for (const GaugeSpec& gauge : scene_.record.gauges) w.gauges.push_back(read_gauge(flow_->solver(), gauge));
     flow_momentum_jump_ = false;
     book_.close(w.momentum, momentum);
   }

@@ -44,6 +44,11 @@ struct ObstacleForce {
   double depth_on_top = 0;  // [m] largest, at the window's end
 };
 
+struct GaugeReading {
+  double depth = 0;                                // [m] of the flow, at the window's end
+  double velocity_along = 0, velocity_across = 0;  // [m/s]; 0 where there is no flow
+};
+
 struct WindowReport {
   double time = 0;    // [s] at the window's end
   double length = 0;  // [s]
@@ -51,6 +56,7 @@ struct WindowReport {
   MassLedger mass;
   MomentumLedger momentum;
   std::vector<ObstacleForce> obstacles;         // as RunStart::obstacles
+  std::vector<GaugeReading> gauges;             // as the scene's record.gauges; empty in grains mode
   long grains = 0, inserted = 0, returned = 0;  // now; since the start
   std::int64_t engine_steps = 0;
   std::int64_t solver_steps = 0, cell_updates = 0;

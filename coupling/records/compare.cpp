@@ -37,6 +37,12 @@ std::string first_difference(const RecordsReader& a, const RecordsReader& b) {
       const std::string text = difference("forces/" + name + "/" + column, a.force(name, column), b.force(name, column));
       if (!text.empty()) return text;
     }
+  if (a.gauges() != b.gauges()) return "the gauges are not the same";
+  for (const std::string& name : a.gauges())
+    for (const char* column : {"depth", "velocity_along", "velocity_across"}) {
+      const std::string text = difference("gauges/" + name + "/" + column, a.gauge(name, column), b.gauge(name, column));
+      if (!text.empty()) return text;
+    }
   std::vector<double> when[2];
   for (const Event& event : a.events()) when[0].push_back(event.time);
   for (const Event& event : b.events()) when[1].push_back(event.time);

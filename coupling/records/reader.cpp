@@ -98,6 +98,15 @@ std::vector<double> RecordsReader::force(const std::string& obstacle, const std:
   return h5::numbers(file_, "forces/" + obstacle + "/" + column);
 }
 
+std::vector<std::string> RecordsReader::gauges() const {
+  if (!h5::exists(file_, "gauges")) return {};  // records of version 0.1
+  return h5::children(h5::create_group(file_, "gauges"));
+}
+
+std::vector<double> RecordsReader::gauge(const std::string& name, const std::string& column) const {
+  return h5::numbers(file_, "gauges/" + name + "/" + column);
+}
+
 std::vector<Event> RecordsReader::events() const {
   const std::vector<double> times = h5::numbers(file_, "events/time");
   const std::vector<std::string> what = h5::texts(file_, "events/text");

@@ -147,6 +147,14 @@ void Records::open_series(const RunStart& start) {
                        h5::Series(group, "fz", {"N", "force along the normal, mean over the window"}),
                        h5::Series(group, "depth_on_top", {"m", "largest depth on the obstacle's top at the window's end"})});
   }
+  const h5::Handle gauges = h5::create_group(file_, "gauges");
+  for (const GaugeSpec& gauge : start.scene->record.gauges) {
+    const h5::Handle group = h5::create_group(gauges, gauge.name);
+    gauges_.push_back({h5::Series(group, "time", {"s", "end of the window"}),
+                       h5::Series(group, "depth", {"m", "depth of the flow at the gauge, at the window's end"}),
+                       h5::Series(group, "velocity_along", {"m/s", "along the slope"}),
+                       h5::Series(group, "velocity_across", {"m/s", "across the slope"})});
+  }
   const h5::Handle events = h5::create_group(file_, "events");
   event_time_.emplace(events, "time", h5::Meaning{"s", "when"});
   event_text_.emplace(events, "text", h5::Meaning{"", "what happened, and why"});
@@ -163,6 +171,8 @@ void Records::drop_after(double time) {
   for (h5::Series& column : columns_) column.keep(windows);
   for (ForceColumns& f : forces_)
     for (h5::Series* series : {&f.time, &f.fx, &f.fy, &f.fz, &f.depth_on_top}) series->keep(windows);
+  for (GaugeColumns& g : gauges_)
+    for (h5::Series* series : {&g.time, &g.depth, &g.along, &g.across}) series->keep(windows);
   event_time_->keep(events);
   event_text_->keep(events);
   for (const std::string& name : h5::children(frames_))
@@ -182,6 +192,13 @@ void Records::on_window(const WindowReport& window) {
     forces_[k].fz.add(o.force[2]);
     forces_[k].depth_on_top.add(o.depth_on_top);
   }
+  for (std::size_t k = 0; k < gauges_.size() && k < window.gauges.size(); ++k) {
+    const GaugeReading& g = window.gauges[k];
+    gauges_[k].time.add(window.time);
+    gauges_[k].depth.add(g.depth);
+    gauges_[k].along.add(g.velocity_along);
+    gauges_[k].across.add(g.velocity_across);
+  }
   if (++waiting_ < kWaitingWindows) return;
   guarded([&] {
     write_waiting();
@@ -193,6 +210,8 @@ void Records::write_waiting() {
   for (h5::Series& column : columns_) column.write();
   for (ForceColumns& f : forces_)
     for (h5::Series* series : {&f.time, &f.fx, &f.fy, &f.fz, &f.depth_on_top}) series->write();
+  for (GaugeColumns& g : gauges_)
+    for (h5::Series* series : {&g.time, &g.depth, &g.along, &g.across}) series->write();
   event_time_->write();
   event_text_->write();
   waiting_ = 0;

@@ -10,6 +10,7 @@
 //   /frames/<000000>/grains/{id,x,y,z,vx,vy,vz,radius,driven,position,velocity}
 //   /windows/{time,length,mass_*,momentum_*,grains,...}    one row a window
 //   /forces/<obstacle>/{time,fx,fy,fz,depth_on_top}        one row a window
+//   /gauges/<name>/{time,depth,velocity_along,velocity_across}    one row a window
 //   /events/{time,text}
 //
 // Numbers that a run is compared by (h, hu, hv, x, vx, ...) are stored as computed, in double; `surface`, `position` and
@@ -44,6 +45,10 @@ class Records : public Observer {
     h5::Series time, fx, fy, fz, depth_on_top;
   };
 
+  struct GaugeColumns {
+    h5::Series time, depth, along, across;
+  };
+
   void guarded(const std::function<void()>& write);
   void write_root(const Scene&, double bulk_density);
   void write_surface();
@@ -64,6 +69,7 @@ class Records : public Observer {
   h5::Handle file_, frames_;
   std::vector<h5::Series> columns_;  // as window_columns()
   std::vector<ForceColumns> forces_;
+  std::vector<GaugeColumns> gauges_;
   std::optional<h5::Series> event_time_;
   std::optional<h5::TextSeries> event_text_;
 };

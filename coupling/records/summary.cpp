@@ -43,7 +43,9 @@ void Summary::on_start(const RunStart& start) {
   has_continuum_ = start.grid.nx > 0;
   cells_ = long(start.grid.nx) * start.grid.ny;
   effects_ = start.effects;
-  for (const std::string& name : start.obstacles) obstacles_.push_back({name, {}, 0, 0});
+  for (const std::string& name : start.obstacles) obstacles_.push_back({name, {}, 0, 0, 0});
+  if (has_continuum_)
+    for (const GaugeSpec& gauge : scene.record.gauges) gauges_.push_back({gauge.name, {}});
   if (resume_time_ >= 0) read_back();
 }
 
@@ -60,6 +62,9 @@ void Summary::read_back() {
   for (const Obstacle& o : obstacles_)
     forces.push_back(
         {run.force(o.name, "fx"), run.force(o.name, "fy"), run.force(o.name, "fz"), run.force(o.name, "depth_on_top")});
+  std::vector<std::array<std::vector<double>, 3>> gauges;
+  for (const Gauge& g : gauges_)
+    gauges.push_back({run.gauge(g.name, "depth"), run.gauge(g.name, "velocity_along"), run.gauge(g.name, "velocity_across")});
   for (std::size_t k = 0; k < time.size() && time[k] <= until; ++k) {
     WindowReport window;
     window.time = time[k], window.length = length[k];
@@ -67,6 +72,7 @@ void Summary::read_back() {
     window.min_depth = depth[k], window.max_overlap = overlap[k], window.max_speed = speed[k];
     window.grains = long(grains[k]);
     for (const auto& f : forces) window.obstacles.push_back({{f[0][k], f[1][k], f[2][k]}, f[3][k]});
+    for (const auto& g : gauges) window.gauges.push_back({g[0][k], g[1][k], g[2][k]});
     mass_error_ = std::max(mass_error_, error[k]);
     take(window);
   }
@@ -89,7 +95,10 @@ void Summary::take(const WindowReport& window) {
     obstacles_[k].along.add(window.time, window.length, f[0], f[0] != 0 || f[1] != 0 || f[2] != 0);
     obstacles_[k].impulse_across += f[1] * window.length;
     obstacles_[k].max_depth = std::max(obstacles_[k].max_depth, window.obstacles[k].depth_on_top);
+    obstacles_[k].depth_final = window.obstacles[k].depth_on_top;
   }
+  for (std::size_t k = 0; k < gauges_.size() && k < window.gauges.size(); ++k)
+    gauges_[k].series.add(window.time, window.length, window.gauges[k]);
 }
 
 void Summary::on_event(const Event& event) {
@@ -136,7 +145,19 @@ void Summary::on_finish(const RunEnd& end) {
                                 {"first_contact", f.first_contact >= 0 ? Json(f.first_contact) : Json()},
                                 {"impulse", f.impulse},
                                 {"impulse_across", o.impulse_across},
-                                {"max_depth_on_top", o.max_depth}};
+                                {"max_depth_on_top", o.max_depth},
+                                {"depth_on_top_final", o.depth_final}};
+  }
+  out["gauges"] = Json::object();
+  for (const Gauge& gauge : gauges_) {
+    const GaugeSeries& g = gauge.series;
+    out["gauges"][gauge.name] = {{"max_depth", g.max_depth},
+                                 {"max_depth_time", g.max_depth_time},
+                                 {"depth_final", g.depth_final},
+                                 {"depth_mean", g.depth_mean()},
+                                 {"velocity_mean", g.velocity_mean()},
+                                 {"max_speed", g.max_speed},
+                                 {"arrival", g.arrival >= 0 ? Json(g.arrival) : Json()}};
   }
   out["effects"] = Json::array();
   for (const Effect& e : effects_) out["effects"].push_back({{"name", e.name}, {"on", e.on}, {"reason", e.reason}});

@@ -11,7 +11,10 @@
 //   grains    .inserted, .returned, .peak_count, .steps, .particle_steps, .particle_steps_per_second (of cpu_engine),
 //   .max_overlap obstacles.<name> .force_peak, .force_peak_time, .force_peak_window, .force_mean, .force_final, .first_contact
 //   (null: never),
-//             .impulse, .impulse_across, .max_depth_on_top: of the component along the slope, defined in force_series.hpp
+//             .impulse, .impulse_across: of the component along the slope, defined in force_series.hpp
+//             .max_depth_on_top, .depth_on_top_final [m]: greatest depth on its top, over the run and at the end
+//   gauges.<name> .max_depth, .max_depth_time, .depth_final, .depth_mean, .velocity_mean, .max_speed, .arrival (null: never):
+//             gauge_series.hpp; none in grains mode
 //   flow      .max_speed [m/s]
 //   effects   [{name, on, reason}];  events [{time, what}]
 
@@ -20,6 +23,7 @@
 
 #include "coupling/loop/observer.hpp"
 #include "coupling/records/force_series.hpp"
+#include "coupling/records/gauge_series.hpp"
 
 namespace couloir {
 
@@ -42,7 +46,11 @@ class Summary : public Observer {
   struct Obstacle {
     std::string name;
     ForceSeries along;
-    double impulse_across = 0, max_depth = 0;
+    double impulse_across = 0, max_depth = 0, depth_final = 0;
+  };
+  struct Gauge {
+    std::string name;
+    GaugeSeries series;
   };
 
   std::string path_, records_, text_;
@@ -52,6 +60,7 @@ class Summary : public Observer {
   bool has_continuum_ = false;
   long cells_ = 0;
   std::vector<Obstacle> obstacles_;
+  std::vector<Gauge> gauges_;
   std::vector<Effect> effects_;
   std::vector<Event> events_;
   WindowReport last_;

@@ -204,7 +204,7 @@ class Binder {
     }
   }
 
-  // Obstacles: the one mapping whose names are the user's.
+  // A mapping whose names are the user's.
   void named(const Node& node, const Key& key, const std::string& full) {
     if (node.kind != Node::Kind::mapping && node.kind != Node::Kind::nothing) {
       fail(node, full, fmt::format("is {}, but must be {}", describe(node), wanted(key)));
@@ -213,9 +213,9 @@ class Binder {
       const std::string path = joined(full, name);
       refuse_bad_name(name, entry, path);
       if (entry.kind != Node::Kind::mapping) fail(entry, path, fmt::format("is {}, but must be a mapping", describe(entry)));
-      scene_.obstacles.emplace_back().name = name;
+      key.append(scene_, name);
       scene_.places.note(path, entry.place);
-      mapping(entry, key.path + ".*", path, static_cast<int>(scene_.obstacles.size()) - 1);
+      mapping(entry, key.path + ".*", path, static_cast<int>(key.names(scene_).size()) - 1);
     }
   }
 

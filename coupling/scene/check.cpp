@@ -261,6 +261,16 @@ struct Checker {
     }
   }
 
+  void gauges() const {
+    for (const GaugeSpec& g : scene.record.gauges) {
+      if (g.x < -room() || g.x > length() + room() || std::abs(g.y) > width() / 2 + room()) {
+        fail(fmt::format("record.gauges.{}.position", g.name),
+             "is [{}, {}], outside of the domain (x from 0 to {}, y from {} to {})", len(g.x), len(g.y), len(length()),
+             len(-width() / 2), len(width() / 2));
+      }
+    }
+  }
+
   void zone_holds_some_obstacle() const {
     if (scene.mode != Mode::coupled || !scene.grains.zone || scene.obstacles.empty()) return;
     const ZoneBox& z = *scene.grains.zone;
@@ -281,6 +291,7 @@ void check_scene(const Scene& scene) {
   check.scheme();
   check.mesh();
   check.obstacles();
+  check.gauges();
   check.diameter();
   check.zone();
   check.zone_holds_some_obstacle();

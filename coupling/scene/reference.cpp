@@ -36,6 +36,7 @@ std::string default_of(const Key& key) {
   if (!key.get) return "";
   Scene blank;
   blank.obstacles.emplace_back();
+  blank.record.gauges.emplace_back();
   const Value value = key.get(blank, 0);
   if (const auto* number = std::get_if<double>(&value)) return short_quantity(*number, key.dimension);
   if (const auto* number = std::get_if<long>(&value)) return fmt::format("{}", *number);

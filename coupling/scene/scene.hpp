@@ -110,9 +110,15 @@ struct GrainSpec {
   double timeout = 120;         // [s] without an answer from the engine before it counts as dead
 };
 
+struct GaugeSpec {
+  std::string name;
+  double x = 0, y = 0;  // [m]
+};
+
 struct RecordSpec {
   double frames = 0.02;   // [s] between frames
   double forces = 0.001;  // [s] between rows of forces.csv, at least
+  std::vector<GaugeSpec> gauges;
 };
 
 struct Scene {

@@ -141,7 +141,8 @@ void add_obstacles(Keys& k) {
     auto& o = s.obstacles[i];
     return std::tie(o.length, o.width, o.height);
   };
-  k.add(named("obstacles", "solid bodies on the bed, by names of your choice"));
+  k.add(named(
+      "obstacles", "solid bodies on the bed, by names of your choice", [](auto& s) -> auto& { return s.obstacles; }));
   KeyBuilder shape = choice(
       "obstacles.*.shape",
       "cuboid, or tetrahedron: a wedge on a triangle with one corner upstream, its peak above the "
@@ -263,6 +264,14 @@ void add_record(Keys& k) {
   k.add(mapping("record", "what is written and how often"));
   k.add(number("record.frames", time, "between frames", COULOIR_AT(record.frames)).above(0));
   k.add(number("record.forces", time, "between rows of forces.csv, at least", COULOIR_AT(record.forces)).above(0));
+  const auto gauge = [](auto& s, int i) {
+    auto& g = s.record.gauges[i];
+    return std::tie(g.x, g.y);
+  };
+  k.add(named(
+      "record.gauges", "points where depth and velocity of the flow are recorded; modes continuum and coupled",
+      [](auto& s) -> auto& { return s.record.gauges; }));
+  k.add(numbers("record.gauges.*.position", length, "[x, y]; between cell centres the flow is interpolated", gauge).required());
   k.add(number("duration", time, "simulated", COULOIR_AT(duration)).above(0).upto(1e6).required());
 }
 

@@ -50,11 +50,14 @@ struct Key {
   std::vector<std::string> selected;  // ... is one of these
   bool written = true;                // by write_scene
 
-  // `index` counts the entries of a named mapping (the obstacles); 0 elsewhere. A mapping's value is the word given instead
+  // `index` counts the entries of a named mapping (obstacles, gauges); 0 elsewhere. A mapping's value is the word given instead
   // of it, or empty. No accessors: the reader's own (scales).
   std::function<Value(const Scene&, int index)> get;
   std::function<void(Scene&, int index, const Value&)> set;
   std::function<void(Scene&, int index)> enter;  // when a mapping is opened
+  // A named mapping: its names, and a new entry of this name.
+  std::function<std::vector<std::string>(const Scene&)> names;
+  std::function<void(Scene&, const std::string& name)> append;
 
   std::string parent() const;  // "terrain"; empty for a key of the file itself
   std::string name() const;    // "angle"

@@ -71,8 +71,17 @@ class Keys {
 inline KeyBuilder mapping(const std::string& path, const std::string& help) {
   return {path, ValueKind::mapping, help};
 }
-inline KeyBuilder named(const std::string& path, const std::string& help) {
-  return {path, ValueKind::named, help};
+// `at(scene)` gives a reference to the vector of entries, each of which has a name.
+template <class At>
+KeyBuilder named(const std::string& path, const std::string& help, At at) {
+  KeyBuilder builder(path, ValueKind::named, help);
+  builder.key().names = [at](const Scene& s) {
+    std::vector<std::string> names;
+    for (const auto& entry : at(s)) names.push_back(entry.name);
+    return names;
+  };
+  builder.key().append = [at](Scene& s, const std::string& name) { at(s).emplace_back().name = name; };
+  return builder;
 }
 
 // A number that the reader keeps for itself.

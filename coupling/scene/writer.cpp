@@ -51,10 +51,11 @@ void write_mapping(std::string& out, const Scene& scene, const std::string& patt
   for (const Key* key : children(pattern)) {
     if (!key->written || !belongs(scene, *key, index)) continue;
     if (key->kind == ValueKind::named) {
-      if (scene.obstacles.empty()) continue;
+      const std::vector<std::string> names = key->names(scene);
+      if (names.empty()) continue;
       out += fmt::format("{}{}:\n", indent, key->name());
-      for (std::size_t n = 0; n < scene.obstacles.size(); ++n) {
-        out += fmt::format("{}  {}:\n", indent, quoted(scene.obstacles[n].name));
+      for (std::size_t n = 0; n < names.size(); ++n) {
+        out += fmt::format("{}  {}:\n", indent, quoted(names[n]));
         write_mapping(out, scene, key->path + ".*", static_cast<int>(n), depth + 2);
       }
       continue;

@@ -1,0 +1,14 @@
+#pragma once
+// Depth and velocity of the flow at a point.
+
+#include "continuum/solver.hpp"
+#include "coupling/loop/observer.hpp"
+#include "coupling/scene/scene.hpp"
+
+namespace couloir {
+
+// Bilinear between the four nearest cell centres (depth and momentum; the velocity is their ratio); beyond the last centres as
+// on them. In a zone the cells hold what the grains are on the mean.
+GaugeReading read_gauge(const Solver&, const GaugeSpec&);
+
+}  // namespace couloir
