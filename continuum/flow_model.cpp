@@ -1,12 +1,24 @@
 #include "continuum/flow_model.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "continuum/errors.hpp"
 
 namespace couloir {
 
+void FlowModel::fail_step(double dt) const {
+  throw NumericsError("The flow has become so fast (" + std::to_string(max_speed()) + " m/s) that stable steps of " +
+                      std::to_string(dt * 1e9) + " ns no longer get anywhere at t = " + std::to_string(time()) +
+                      " s; check what was released or comes in, or use larger cells.");
+}
+
 void FlowModel::advance_to(double t_end) {
+  constexpr double least_step = 1e-10;  // of the span: beyond 1e10 steps the run would not end
+  const double span = t_end - time();
   while (time() < t_end) {
     const double left = t_end - time(), dt = stable_dt();
+    if (dt < least_step * span) fail_step(dt);
     if (left <= dt) {
       step(left);
       // A step that would have overdrawn a cell was taken at half its length: then this is not the end yet.

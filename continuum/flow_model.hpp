@@ -49,9 +49,12 @@ class FlowModel {
   virtual double max_speed() const = 0;                // [m/s]
 
   virtual double stable_dt() const = 0;  // [s] for the present state
-  // One step of at most dt; throws NumericsError when the state is not finite, naming the cell.
+  // One step of at most dt; throws NumericsError, naming time and place, when the state is not finite or a cell would be
+  // overdrawn however short the step.
   virtual void step(double dt) = 0;
-  void advance_to(double t_end);  // as many stable steps as it takes, the last one ends at t_end
+  // As many stable steps as it takes, the last one ends at t_end; throws NumericsError when the flow has become so fast that they
+  // would be more than 1e10.
+  void advance_to(double t_end);
 
   // Impulse per density on obstacle `id` since the start [m4/s]; times bulk density: N s.
   virtual std::array<double, 2> obstacle_impulse(int id) const = 0;
@@ -77,6 +80,7 @@ class FlowModel {
   FlowModel() = default;
   FlowModel(const FlowModel&) = default;
   FlowModel& operator=(const FlowModel&) = default;
+  [[noreturn]] virtual void fail_step(double dt) const;  // NumericsError: stable steps of dt no longer get anywhere
   virtual void set_time(double t) = 0;  // the end of advance_to, without round-off
 };
 

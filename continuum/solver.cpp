@@ -120,6 +120,10 @@ void Solver::set_time(double t) {
   impl_->time = t;
 }
 
+void Solver::fail_step(double dt) const {
+  impl_->fail_step(dt);
+}
+
 void Solver::cover(const CellBox& box) {
   impl_->cover(box);
 }

@@ -73,6 +73,7 @@ class Solver final : public FlowModel {
 
  private:
   void set_time(double t) override;
+  [[noreturn]] void fail_step(double dt) const override;
 
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "coupling/engine/packing.hpp"
+#include "coupling/scene/release_shape.hpp"
 
 namespace couloir {
 namespace {
@@ -15,6 +16,18 @@ double short_mantissa(double value) {
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);
   return std::ldexp(std::nearbyint(std::ldexp(mantissa, 40)), exponent - 40);
+}
+
+// Of the greatest depth: a film thinner than that carries mass but no momentum. A share, so that a scene in other units gives the
+// same numbers.
+constexpr double dry_share = 1e-6;
+
+double greatest_depth(const Scene& scene) {
+  double depth = deepest(scene);
+  for (const SideSpec& side : scene.sides) {
+    if (side.kind == SideSpec::Kind::inflow) depth = std::max(depth, side.depth);
+  }
+  return depth;
 }
 
 Limiter limiter_of(const std::string& word) {
@@ -80,6 +93,7 @@ SolverSettings solver_settings(const Scene& scene) {
   settings.limiter = limiter_of(scene.continuum.limiter);
   std::ranges::transform(scene.sides, settings.sides.begin(), side_of);
   settings.cfl = scene.continuum.cfl;
+  settings.dry_depth = dry_share * greatest_depth(scene);
   return settings;
 }
 

@@ -17,6 +17,13 @@ constexpr double most_cells = 2e7;
 // where the driven layer lies.
 constexpr double zone_before = 5, zone_around = 2, driven_layer = 3;
 
+// Passive earth pressure beyond which the flow gains energy where a passive cell meets an active one (tests/stability); phi about
+// 65 deg, which no granular material has.
+constexpr double most_passive = 20;
+// Depth over the arc's radius: at 1 the normals meet inside the flow; at 1/2 the volume above a piece of the bed, which the model
+// takes for h, is h (1 - h / 2R), a quarter less.
+constexpr double most_on_arc = 0.5;
+
 std::string len(double value) {
   return short_quantity(value, Dimension::length);
 }
@@ -42,6 +49,39 @@ struct Checker {
       fail("material.basal_friction_angle",
            "is {}, above the internal friction angle {}: (2.83) has no real K; lower it, or use continuum.closure: hydraulic",
            short_quantity(m.delta, Dimension::angle), short_quantity(m.phi, Dimension::angle));
+    }
+    if (!continuum() || scene.continuum.closure != "active_passive") return;
+    const double c = std::cos(m.phi), ratio = c / std::cos(m.delta);
+    const double passive = 2 * (1 + std::sqrt(std::max(0.0, 1 - ratio * ratio))) / (c * c) - 1;  // (2.83)
+    if (passive > most_passive) {
+      fail("material.internal_friction_angle",
+           "is {}, which makes a passive earth pressure coefficient of {:.3g}: above {} the flow would gain energy; lower it, or "
+           "use continuum.closure: hydraulic",
+           short_quantity(m.phi, Dimension::angle), passive, most_passive);
+    }
+  }
+
+  void curvature() const {
+    const TerrainSpec& t = scene.terrain;
+    if (!continuum() || t.kind != TerrainSpec::Kind::chute || t.angle == 0) return;
+    const double radius = t.arc / t.angle;
+    double depth = deepest(scene);
+    for (const SideSpec& side : scene.sides) {
+      if (side.kind == SideSpec::Kind::inflow) depth = std::max(depth, side.depth);
+    }
+    const Footprint f = release_footprint(scene);
+    const bool on_arc = f.x1 > t.slope + room() && f.x0 < t.slope + t.arc - room();
+    if (depth >= radius) {
+      fail("terrain.arc",
+           "is {}, a radius of {}, no larger than the flow's greatest depth {}: depths are measured along normals, which meet "
+           "inside such a flow; use a longer arc",
+           len(t.arc), len(radius), len(depth));
+    }
+    if (on_arc && deepest(scene) > most_on_arc * radius) {
+      fail("release",
+           "is up to {} deep on an arc of radius {}: at most half of the radius, beyond which volumes on the arc are off "
+           "by more than a quarter; move it up, or use a longer arc",
+           len(deepest(scene)), len(radius));
     }
   }
 
@@ -110,7 +150,8 @@ struct Checker {
       fail(key + ".ramp", "is {}, more than half of the base's shorter edge ({}); shorten it", len(o.ramp),
            len(std::min(o.length, o.width)));
     }
-    if (scene.release.kind != ReleaseSpec::Kind::uniform && overlaps_release(o)) {
+    // The continuum alone may start on top of an obstacle: depths count from there.
+    if (grains() && scene.release.kind != ReleaseSpec::Kind::uniform && overlaps_release(o)) {
       fail(key, "stands in the release; move one of them");
     }
     const double cell = scene.continuum.cell;
@@ -289,6 +330,7 @@ void check_scene(const Scene& scene) {
   check.sides();
   check.release();
   check.scheme();
+  check.curvature();
   check.mesh();
   check.obstacles();
   check.gauges();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupling/scene/release_shape.hpp"
 #include "plan_scenes.hpp"
 
 namespace couloir {
@@ -57,6 +58,14 @@ TEST(Build, SolverSettings) {
   EXPECT_FALSE(null_zone.closure.curvature);
   EXPECT_TRUE(null_zone.closure.earth_pressure.is_hydraulic());
   EXPECT_EQ(null_zone.sides[3].kind, Side::Kind::periodic);
+}
+
+// A share of the greatest depth, whatever the units.
+TEST(Build, DryDepthGoesWithTheFlow) {
+  const Scene s = experiment("chiou_wall");
+  EXPECT_DOUBLE_EQ(solver_settings(s).dry_depth, 1e-6 * deepest(s));
+  const Scene fed = experiment("chiou_wall", {{"boundaries.upstream", "{inflow: {depth: 0.15 m, velocity: 1 m/s}}"}});
+  EXPECT_DOUBLE_EQ(solver_settings(fed).dry_depth, 1.5e-7);
 }
 
 TEST(Build, GrainsModeNeedsNeitherCellNorRealK) {

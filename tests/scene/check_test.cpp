@@ -135,6 +135,35 @@ TEST_F(Check, PeriodicSidesInPairs) {
       "--set boundaries: boundaries.upstream is periodic on a chute, whose ends have different slopes; use wall or outflow");
 }
 
+TEST_F(Check, ContinuumMayStartOnAnObstacle) {
+  EXPECT_EQ(error(replaced(good_scene, "[1.2 m, 0]", "[0.3 m, 0]"), {{"mode", "continuum"}}), "");
+}
+
+TEST_F(Check, ArcNotTighterThanTheFlowIsDeep) {
+  const auto chute = [](const std::string& arc) {
+    return replaced(good_scene, "kind: incline, angle: 35 deg, length: 2 m",
+                    "kind: chute, angle: 35 deg, slope: 1.25 m, arc: " + arc + ", runout: 0.5 m");
+  };
+  EXPECT_EQ(error(chute("70 mm")), "");
+  EXPECT_EQ(error(chute("60 mm")),
+            "scene.yaml:2: terrain.arc is 60 mm, a radius of 98.2213 mm, no larger than the flow's greatest depth 100 mm: depths "
+            "are measured along normals, which meet inside such a flow; use a longer arc");
+  const std::string on_arc = replaced(good_scene, "kind: incline, angle: 35 deg, length: 2 m",
+                                      "kind: chute, angle: 35 deg, slope: 0.3 m, arc: 0.11 m, runout: 1.6 m");
+  EXPECT_EQ(error(on_arc),
+            "scene.yaml:4: release is up to 100 mm deep on an arc of radius 180.072 mm: at most half of the radius, beyond which "
+            "volumes on the arc are off by more than a quarter; move it up, or use a longer arc");
+}
+
+TEST_F(Check, PassivePressureWithinReason) {
+  EXPECT_EQ(error(good_scene, {{"material.internal_friction_angle", "60 deg"}}), "");
+  EXPECT_THAT(error(good_scene, {{"material.internal_friction_angle", "70 deg"}}),
+              testing::HasSubstr(
+                  "material.internal_friction_angle is 70 deg, which makes a passive earth pressure coefficient of 32: above 20 "
+                  "the flow would gain energy; lower it, or use continuum.closure: hydraulic"));
+  EXPECT_EQ(error(good_scene, {{"material.internal_friction_angle", "70 deg"}, {"continuum.closure", "hydraulic"}}), "");
+}
+
 TEST_F(Check, BasalAngleBelowInternal) {
   EXPECT_EQ(error(good_scene, {{"material.basal_friction_angle", "38 deg"}}),
             "--set material.basal_friction_angle: material.basal_friction_angle is 38 deg, above the internal friction angle 37 "

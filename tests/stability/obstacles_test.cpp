@@ -61,11 +61,12 @@ TEST_P(Obstacles, ReleaseOnTopOfOne) {
 
 TEST_P(Obstacles, OneCellWide) {
   for (double height : {0.01, 8.0}) {
-    Case c = chute(60, 21, 0.02);
-    c.bed.obstacles.push_back({"post", 0.7, 0.72, -0.008, 0.008, height});
+    const double dx = 0x1.4p-6;  // 19.5 mm, short: mirrored cells have mirrored centres
+    Case c = chute(61, 21, dx);
+    c.bed.obstacles.push_back({"post", 36 * dx, 37 * dx, -0.4 * dx, 0.4 * dx, height});
     const Solver solver = run(c, 400, "height " + std::to_string(height));
     EXPECT_GT(solver.obstacle_impulse(0)[0], 0);
-    EXPECT_EQ(solver.obstacle_impulse(0)[1], 0) << "symmetric";
+    EXPECT_EQ(solver.obstacle_impulse(0)[1], 0) << "the scene is symmetric to the bit";
   }
 }
 
