@@ -23,7 +23,7 @@ void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceV
   FaceFluxes& out = *axis.fluxes;
   const double *h_lo = f.h_lo.data(), *h_hi = f.h_hi.data(), *eta_lo = f.eta_lo.data(), *eta_hi = f.eta_hi.data();
   const double *un_lo = f.un_lo.data(), *un_hi = f.un_hi.data(), *ut_lo = f.ut_lo.data(), *ut_hi = f.ut_hi.data();
-  const double *k = axis.k, *loose = w.loose.data();
+  const double *k = axis.k, *loose = w.loose.data(), *smooth = w.smooth.data();
   double *mass = out.mass.data(), *tangent = out.tangent.data(), *normal = out.normal.data();
   double *below = out.normal_below.data(), *above = out.normal_above.data();
   for (int j = 0; j < axis.faces_j; ++j) {
@@ -38,7 +38,7 @@ void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceV
       // h - (sill - z) / K, written so that K = 1 keeps the bits of a lake's level.
       const double over_l = std::max(0.0, std::min(hl, (eta_hi[l] - sill) + (1 - 1 / k[l]) * (sill - zl)));
       const double over_r = std::max(0.0, std::min(hr, (eta_lo[r] - sill) + (1 - 1 / k[r]) * (sill - zr)));
-      const NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr);
+      const NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr, smooth[l] * smooth[r] == 0);
       const double m = n.mass * std::max(loose[l], loose[r]);
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);

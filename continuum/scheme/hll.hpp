@@ -14,15 +14,17 @@ struct NormalFlux {
 
 // Harten-Lax-van Leer with the exact front speeds u -+ 2c where one side is dry.
 // Written so that exchanging the sides and turning the velocities gives the same bits.
-inline NormalFlux hll(double hl, double ul, double gl, double hr, double ur, double gr) {
+// shock: the faster of the two speeds both ways (Rusanov), which leaves no ripples behind a shock that moves slowly.
+inline NormalFlux hll(double hl, double ul, double gl, double hr, double ur, double gr, bool shock = false) {
   const double cl = std::sqrt(gl * hl), cr = std::sqrt(gr * hr);
   double sl = std::min(ul - cl, ur - cr), sr = std::max(ul + cl, ur + cr);
   sl = hr > 0 ? sl : ul - cl;
   sr = hr > 0 ? sr : ul + 2 * cl;
   sl = hl > 0 ? sl : ur - 2 * cr;
   sr = hl > 0 ? sr : ur + cr;
-  sl = std::min(sl, 0.0);
-  sr = std::max(sr, 0.0);
+  const double fastest = std::max(std::abs(sl), std::abs(sr));
+  sl = shock ? -fastest : std::min(sl, 0.0);
+  sr = shock ? fastest : std::max(sr, 0.0);
   const double width = sr - sl;
   const double per_width = width > 0 ? 1 / width : 0.0;
   const double ql = hl * ul, qr = hr * ur;

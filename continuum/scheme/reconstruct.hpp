@@ -4,8 +4,8 @@
 //       lo   q   hi           slope by the limiter from the differences to both neighbours;
 //    |  x----x----x  |        (lo + hi) / 2 = q, which the positivity bound of the scheme needs
 //
-// With friction no slope is drawn in a shock: a second-order shock leaves ripples behind, and where friction holds the material
-// they never even out. The heap behind a wall would stay too deep (force + 4 % at Fr 7; without slopes + 1 %).
+// With friction no slope is drawn in a shock, and the fluxes around it are Rusanov's (hll.hpp): ripples behind a shock never even
+// out among frictional material, they push it on. docs/decisions/0005.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace couloir {
 
 // A shock: the velocity falls across the cell by more than these shares of the wave speed and of itself.
-constexpr double shock_strength = 0.3, shock_share = 0.1;
+constexpr double shock_strength = 0.1, shock_share = 0.1;
 
 inline void find_shocks(const Block& b, const Axis& axis, const Fields& q, bool friction, std::vector<double>& smooth) {
   if (!friction) {

@@ -32,7 +32,7 @@ struct Scratch {
   std::vector<double> u, v, eta;  // velocity [m/s], surface [m]
   std::vector<double> kx, ky;     // earth pressure coefficients
   std::vector<double> loose;      // 0 where the cell is locked at rest, else 1
-  std::vector<double> smooth;     // 0 where no slope is drawn along the present axis, else 1
+  std::vector<double> smooth;     // 0 in a shock along the present axis, else 1
   FaceValues values;
   FaceFluxes x, y;
   std::vector<double> source_x, source_y;    // momentum from the bed within the cell [m2/s2]
