@@ -30,6 +30,7 @@ TEST(Schema, SetsWhatItGets) {
     if (!key.get || !key.set) continue;
     Scene scene;
     scene.obstacles.emplace_back();
+    scene.record.gauges.emplace_back();
     scene.grains.zone.emplace();
     Value value = key.get(scene, 0);
     if (auto* x = std::get_if<double>(&value)) *x = 0.375;
