@@ -3,11 +3,9 @@
 
 #include <cmath>
 
-namespace couloir::exact {
+#include "continuum/exact/depth_velocity.hpp"
 
-struct DepthVelocity {
-  double h = 0, u = 0;  // [m], [m/s]
-};
+namespace couloir::exact {
 
 // On an incline with Coulomb friction, tan(zeta) >= tan(delta) (Mangeney, Heinrich, Roche 2000); m = g' (tan(zeta) - tan(delta))
 // [m/s2] is what drives it and g' = g cos(zeta). m = 0: Ritter's solution. t > 0.

@@ -1,0 +1,81 @@
+#include "continuum/exact/steady_chute.hpp"
+#include "errors.hpp"
+#include "schemes.hpp"
+#include "study.hpp"
+
+namespace couloir::test {
+namespace {
+
+constexpr double slope = 0.5, arc = 0.6, runout = 0.4, total = slope + arc + runout;
+
+exact::SteadyChute chute(double h, double u, bool curvature) {
+  return {degrees(40), slope, arc, 9.81, std::tan(degrees(20)), 1, h, u, curvature};
+}
+
+// A layer without thickness over the whole arc has a closed solution.
+TEST(ArcReference, AgreesWithTheClosedSolutionOfAThinLayer) {
+  const auto thin = chute(1e-12, 3, true);
+  for (double x : {0.6, 0.8, 1.1}) {
+    const double zeta = degrees(40) * (1 - (x - slope) / arc);
+    EXPECT_NEAR(thin.at(x).u, thin.thin_velocity(zeta, thin.at(slope).u), 1e-9) << x;
+  }
+}
+
+template <class S>
+class Arc : public SchemeTest<S> {
+ public:
+  static auto steady(int n, const exact::SteadyChute& c) {
+    SolverSettings s = row<S>(n, 0, total, Side::Kind::outflow);
+    s.sides[0] = {Side::Kind::inflow, c.inflow_h, c.inflow_u};
+    s.closure = {EarthPressure::hydraulic(), c.mu, c.curvature};
+    s.gravity = c.gravity;
+    auto solver = S::make(s, ReferenceSurface::chute(c.angle, c.slope, c.arc, runout));
+    solver.set([&](double x, double) {
+      const auto q = c.at(x);
+      return FlowState{q.h, q.h * q.u, 0};
+    });
+    solver.advance_to(3 * total / c.inflow_u);
+    return solver;
+  }
+};
+TYPED_TEST_SUITE(Arc, Schemes, SchemeNames);
+
+// references.md 2i: a steady layer down incline, arc and run-out, of finite thickness and thin.
+TYPED_TEST(Arc, SteadyLayer) {
+  for (double h : {0.02, 0.001}) {
+    const auto reference = chute(h, 3, true);
+    const std::string name = "layer of " + std::to_string(static_cast<int>(1000 * h)) + " mm round an arc, zeta 40, delta 20";
+    Study depth("i", name, "h [m], L1"), velocity("i", name, "hu [m2/s], L1");
+    for (int n : {75, 150, 300, 600}) {
+      const auto s = this->steady(n, reference);
+      const auto e = row_error(s, [&](double x) { return reference.at(x); });
+      depth.add(n, e.h);
+      velocity.add(n, e.hu);
+      if (n == 75 && h > 0.01) {
+        const auto without = chute(h, 3, false);
+        std::vector<std::vector<double>> rows;
+        for (int i = 0; i < n; ++i) {
+          const double x = s.grid().x(i);
+          rows.push_back({x, s.at(i, 0).hu / s.at(i, 0).h, reference.at(x).u, without.at(x).u});
+        }
+        record_profile("arc", "x,u,exact,without", rows);
+      }
+    }
+    depth.expect_order(TypeParam::order_smooth);
+  }
+}
+
+// The curvature alone, gravity all but off: an arc of 40 deg leaves exp(-mu zeta) of the velocity.
+TYPED_TEST(Arc, CurvatureAlone) {
+  Study study("i", "arc without weight", "velocity behind the arc, relative error");
+  for (int n : {75, 150, 300}) {
+    exact::SteadyChute c = chute(0.01, 5, true);
+    c.gravity = 1e-9;
+    const auto s = this->steady(n, c);
+    study.add(n, std::abs(s.at(n - 1, 0).hu / s.at(n - 1, 0).h / (5 * std::exp(-c.mu * degrees(40))) - 1));
+  }
+  study.expect_order(TypeParam::order_shock);
+}
+
+}  // namespace
+}  // namespace couloir::test

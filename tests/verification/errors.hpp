@@ -1,0 +1,45 @@
+#pragma once
+// L1 errors against exact solutions.
+
+#include <cmath>
+
+namespace couloir::test {
+
+// In row 0, each divided by the length that it is taken over: mean |h - h_exact| [m], mean |hu - hu_exact| [m2/s].
+// exact(x): an object with h and u; counts(x): whether the cell at x takes part.
+struct RowError {
+  double h = 0, hu = 0;
+};
+template <class Solver, class Exact, class Counts>
+RowError row_error(const Solver& s, Exact&& exact, Counts&& counts) {
+  RowError e;
+  int cells = 0;
+  for (int i = 0; i < s.grid().nx; ++i) {
+    const double x = s.grid().x(i);
+    if (!counts(x)) continue;
+    const auto truth = exact(x);
+    const auto is = s.at(i, 0);
+    e.h += std::abs(is.h - truth.h);
+    e.hu += std::abs(is.hu - truth.h * truth.u);
+    ++cells;
+  }
+  e.h /= cells, e.hu /= cells;
+  return e;
+}
+template <class Solver, class Exact>
+RowError row_error(const Solver& s, Exact&& exact) {
+  return row_error(s, exact, [](double) { return true; });
+}
+
+// Where the depth along row 0 first crosses `level` when walked from cell `from` towards cell `to` [m]; NaN if it does not.
+template <class Solver>
+double crossing(const Solver& s, double level, int from, int to) {
+  const int step = to > from ? 1 : -1;
+  for (int i = from; i != to; i += step) {
+    const double a = s.at(i, 0).h, b = s.at(i + step, 0).h;
+    if ((a < level) != (b < level)) return s.grid().x(i) + step * s.grid().dx * (level - a) / (b - a);
+  }
+  return std::nan("");
+}
+
+}  // namespace couloir::test

@@ -1,0 +1,53 @@
+#include "convergence.hpp"
+#include "schemes.hpp"
+#include "study.hpp"
+
+namespace couloir::test {
+namespace {
+
+template <class S>
+class Relief : public SchemeTest<S> {
+ public:
+  // A smooth hump that runs over a wavy bed in a periodic channel.
+  static std::vector<double> hump(int n, Limiter limiter) {
+    SolverSettings s = row<S>(n, 0, 1, Side::Kind::periodic);
+    s.limiter = limiter;
+    StepBed bed;
+    for (int i = 0; i < n; ++i) bed.elevation.push_back(0.02 * std::cos(2 * pi * s.grid.x(i)));
+    auto solver = S::make(s, ReferenceSurface::flat(1), bed);
+    solver.set([](double x, double) {
+      const double h = 0.2 + 0.02 * std::sin(2 * pi * x);
+      return FlowState{h, 0.3 * h, 0};
+    });
+    solver.advance_to(0.15);
+    std::vector<double> h, hu, hv;
+    solver.gather(h, hu, hv);
+    return h;
+  }
+
+  static double error(const std::vector<double>& coarse, const std::vector<double>& fine) {
+    const std::size_t ratio = fine.size() / coarse.size();
+    double sum = 0;
+    for (std::size_t i = 0; i < coarse.size(); ++i) {
+      double mean = 0;
+      for (std::size_t k = 0; k < ratio; ++k) mean += fine[i * ratio + k];
+      sum += std::abs(coarse[i] - mean / static_cast<double>(ratio));
+    }
+    return sum / static_cast<double>(coarse.size());
+  }
+};
+TYPED_TEST_SUITE(Relief, Schemes, SchemeNames);
+
+// There is no closed solution: against the same run on a much finer grid.
+TYPED_TEST(Relief, IsOfSecondOrder) {
+  const auto reference = this->hump(3200, Limiter::mc);
+  for (Limiter limiter : {Limiter::minmod, Limiter::van_leer, Limiter::mc}) {
+    const char* names[] = {"minmod", "van Leer", "MC"};
+    Study study("smooth", std::string("hump over a wavy bed, ") + names[static_cast<int>(limiter)], "h [m], L1 to 3200 cells");
+    for (int n : {100, 200, 400}) study.add(n, this->error(this->hump(n, limiter), reference));
+    study.expect_order(TypeParam::order_smooth);
+  }
+}
+
+}  // namespace
+}  // namespace couloir::test
