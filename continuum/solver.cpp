@@ -99,6 +99,7 @@ double Solver::max_speed() const {
 std::array<double, 2> Solver::earth_pressure(int i, int j) const {
   require_cell(grid(), i, j);
   const CellPlace place = impl_->mesh.place(i, j);
+  impl_->ghosts.set_time(time());
   impl_->ghosts.fill(impl_->states, place.block);
   const Block& b = impl_->mesh.blocks()[place.block];
   Scratch w;

@@ -31,7 +31,7 @@ void check(const SolverSettings& s, const ReferenceSurface& surface) {
 }
 
 Parameters parameters_of(const SolverSettings& s) {
-  return {s.grid, s.closure, s.limiter, s.sides, s.dry_depth};
+  return {s.grid, s.closure, s.limiter, s.sides, s.dry_depth, {}};
 }
 
 }  // namespace
@@ -58,9 +58,12 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
     faces[k].steps = StepFaces(b);
     faces[k].pushed = PushedCells(b);
     largest = std::max(largest, b.size());
+    const auto comes_in = [&](const Side& side) {
+      return side.kind == Side::Kind::inflow && fastest_inflow(side, s.gravity, 0) > 0;
+    };
     const bool at_side[] = {b.i0 == 0, b.i0 + b.nx == s.grid.nx, b.j0 == 0, b.j0 + b.ny == s.grid.ny};
     for (int side = 0; side < 4; ++side) {
-      if (at_side[side] && s.sides[side].kind == Side::Kind::inflow && s.sides[side].depth > 0) inflow_block[k] = 1;
+      if (at_side[side] && comes_in(s.sides[side])) inflow_block[k] = 1;
     }
   }
   for (Scratch& w : scratch) w.resize(largest);
@@ -74,7 +77,7 @@ void Solver::Impl::step(double dt) {
     choose_blocks(false);
     run(StageName::predictor, dt);
     choose_blocks(true);
-    fill_ghosts();
+    fill_ghosts(time + dt);
     run(StageName::corrector, dt);
     if (!negative()) break;
     if (halvings == most_halvings) fail_negative(dt);
@@ -99,7 +102,7 @@ double Solver::Impl::stable_dt() {
 void Solver::Impl::refresh() {
   if (rate) return;
   choose_blocks(false);
-  fill_ghosts();
+  fill_ghosts(time);
   std::vector<double> rates(states.size(), 0.0);
   const int n = static_cast<int>(chosen.size());
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
@@ -136,7 +139,12 @@ void Solver::Impl::choose_blocks(bool corrector) {
   }
 }
 
-void Solver::Impl::fill_ghosts() {
+void Solver::Impl::fill_ghosts(double at) {
+  ghosts.set_time(at);
+  for (int side = 0; side < 4; ++side) {
+    const Side& s = settings.sides[side];
+    parameters.shut[side] = s.kind == Side::Kind::inflow && inflow_at(s, at).depth == 0;
+  }
   const int n = static_cast<int>(chosen.size());
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
   for (int k = 0; k < n; ++k) ghosts.fill(states, chosen[k]);
@@ -177,7 +185,7 @@ void Solver::Impl::go_back() {
     s.wet = s.was_wet;
   }
   choose_blocks(false);
-  fill_ghosts();
+  fill_ghosts(time);
 }
 
 void Solver::Impl::collect_tallies() {

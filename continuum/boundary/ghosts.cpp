@@ -10,8 +10,7 @@ namespace {
 struct Source {
   int index;
   signed char turn = 0;  // as Mirror::u
-  const Side* inflow = nullptr;
-  int inward = 0;  // direction of the inflow
+  int inflow = -1;       // the side, 0 low or 1 high, that gives the state
 };
 
 Source source(int i, int n, const Side& low, const Side& high) {
@@ -26,7 +25,7 @@ Source source(int i, int n, const Side& low, const Side& high) {
     case Side::Kind::periodic:
       return {(i % n + n) % n};
     case Side::Kind::inflow:
-      return {last, 0, &side, below ? 1 : -1};
+      return {mirrored, 2, below ? 0 : 1};
     case Side::Kind::outflow:
       break;
   }
@@ -47,7 +46,15 @@ void check(const std::array<Side, 4>& sides) {
     }
   }
   for (const Side& side : sides) {
-    if (side.kind == Side::Kind::inflow && !(side.depth >= 0 && side.velocity >= 0)) {
+    if (side.kind != Side::Kind::inflow) continue;
+    bool good = side.depth >= 0 && side.velocity >= 0;
+    for (std::size_t k = 0; k < side.hydrograph.size(); ++k) {
+      const InflowPoint& p = side.hydrograph[k];
+      good = good && p.depth >= 0 && p.velocity >= 0;
+      if (k > 0 && !(p.time > side.hydrograph[k - 1].time))
+        throw std::invalid_argument("The times of an inflow's hydrograph must rise; correct the boundary.");
+    }
+    if (!good) {
       throw std::invalid_argument(
           "An inflow side needs a depth and an inward velocity that are not negative; correct the boundary.");
     }
@@ -56,8 +63,9 @@ void check(const std::array<Side, 4>& sides) {
 
 }  // namespace
 
-Ghosts::Ghosts(const Mesh& mesh, const std::array<Side, 4>& sides) : plans_(mesh.blocks().size()) {
+Ghosts::Ghosts(const Mesh& mesh, const std::array<Side, 4>& sides) : sides_(sides), plans_(mesh.blocks().size()) {
   check(sides);
+  set_time(0);
   for (std::size_t k = 0; k < mesh.blocks().size(); ++k) {
     const Block& b = mesh.blocks()[k];
     for (int j = -Block::ghosts; j < b.ny + Block::ghosts; ++j) {
@@ -75,10 +83,8 @@ void Ghosts::plan_cell(const Mesh& mesh, const std::array<Side, 4>& sides, int b
   const Source sy = source(b.j0 + j, mesh.grid().ny, sides[2], sides[3]);
   const Copy copy{b.at(i, j), mesh.place(sx.index, sy.index)};
   Plan& plan = plans_[block];
-  if (sx.inflow || sy.inflow) {
-    const Side& side = sx.inflow ? *sx.inflow : *sy.inflow;
-    const double q = side.depth * side.velocity;
-    plan.fixed.push_back({copy, side.depth, sx.inflow ? q * sx.inward : 0.0, sx.inflow ? 0.0 : q * sy.inward});
+  if (sx.inflow >= 0 || sy.inflow >= 0) {
+    plan.fixed.push_back({copy, sx.inflow >= 0 ? sx.inflow : 2 + sy.inflow, sx.turn, sy.turn});
   } else if (sx.turn != 0 || sy.turn != 0) {
     plan.mirrors.push_back({copy, sx.turn, sy.turn});
   } else {
@@ -102,6 +108,14 @@ void Ghosts::extend(Mesh& mesh) const {
   }
 }
 
+void Ghosts::set_time(double time) {
+  for (int side = 0; side < 4; ++side) {
+    const InflowPoint p = inflow_at(sides_[side], time);
+    const double inward = (side % 2 == 0 ? 1 : -1) * p.depth * p.velocity;
+    inflow_[side] = {p.depth, side < 2 ? inward : 0.0, side < 2 ? 0.0 : inward};
+  }
+}
+
 void Ghosts::fill(std::vector<BlockState>& states, int block) const {
   Fields& to = states[block].now;
   for (const Copy& c : plans_[block].copies) {
@@ -117,7 +131,13 @@ void Ghosts::fill(std::vector<BlockState>& states, int block) const {
     to.hv[m.copy.to] = turned(from.hv[m.copy.from.cell], m.v);
   }
   for (const Fixed& f : plans_[block].fixed) {
-    to.h[f.copy.to] = f.h, to.hu[f.copy.to] = f.hu, to.hv[f.copy.to] = f.hv;
+    FlowState q = inflow_[f.side];
+    if (q.h == 0) {
+      const Fields& from = states[f.copy.from.block].now;
+      const int cell = f.copy.from.cell;
+      q = {from.h[cell], turned(from.hu[cell], f.u), turned(from.hv[cell], f.v)};
+    }
+    to.h[f.copy.to] = q.h, to.hu[f.copy.to] = q.hu, to.hv[f.copy.to] = q.hv;
   }
 }
 

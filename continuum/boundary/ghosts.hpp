@@ -4,12 +4,13 @@
 //   wall      the cells inside, mirrored, normal velocity reversed
 //   outflow   the last cell inside while it flows out; mirrored as at a wall while it flows in: nothing enters
 //   periodic  the cells of the other end
-//   inflow    the given depth and inward velocity
+//   inflow    the given depth and inward velocity, at the time set; a wall while nothing comes in
 
 #include <array>
 #include <vector>
 
 #include "continuum/boundary/side.hpp"
+#include "continuum/flow/flow_state.hpp"
 #include "continuum/mesh/mesh.hpp"
 
 namespace couloir {
@@ -21,6 +22,8 @@ class Ghosts {
 
   // Terrain in the ghosts; once.
   void extend(Mesh&) const;
+  // The time [s] at which inflows are taken by fill(); before the first call: 0.
+  void set_time(double time);
   // State in the ghosts of one block, from the interiors of the others.
   void fill(std::vector<BlockState>&, int block) const;
   // Open or covered, in the ghosts of one block.
@@ -37,7 +40,8 @@ class Ghosts {
   };
   struct Fixed {
     Copy copy;  // where the terrain comes from
-    double h, hu, hv;
+    int side;
+    signed char u, v;  // as Mirror, while nothing comes in
   };
   struct Plan {
     std::vector<Copy> copies;
@@ -46,6 +50,8 @@ class Ghosts {
   };
   void plan_cell(const Mesh&, const std::array<Side, 4>&, int block, int i, int j);
 
+  std::array<Side, 4> sides_;
+  std::array<FlowState, 4> inflow_{};  // of each side, now
   std::vector<Plan> plans_;
 };
 

@@ -1,14 +1,30 @@
 #pragma once
 // What a side of the domain does to the flow.
 
+#include <vector>
+
 namespace couloir {
 
 enum class SideName { upstream = 0, downstream = 1, left = 2, right = 3 };
+
+struct InflowPoint {
+  double time = 0;      // [s]
+  double depth = 0;     // [m]
+  double velocity = 0;  // [m/s] inward
+};
 
 struct Side {
   enum class Kind { wall, outflow, periodic, inflow } kind = Kind::outflow;
   double depth = 0;     // [m] inflow only
   double velocity = 0;  // [m/s] inflow only, inward positive
+  std::vector<InflowPoint>
+      hydrograph{};  // inflow only, instead of both: linear between its points, nothing before and after them
 };
+
+// What comes in at a time [s]; its time is that time. Nothing: depth and velocity 0.
+InflowPoint inflow_at(const Side&, double time);
+
+// [m/s] the greatest velocity + sqrt(g h) of an inflow from a time on; 0 where nothing more comes.
+double fastest_inflow(const Side&, double gravity, double time);
 
 }  // namespace couloir

@@ -8,6 +8,7 @@ namespace couloir {
 
 struct Budget {
   double mass_boundary = 0;         // [m3] through the domain's sides
+  double mass_inflow = 0;           // [m3] its part through inflow sides
   double mass_zone = 0;             // [m3] through the faces of the covered zone
   double mass_clipped = 0;          // [m3] created by removing negative depths; 0 unless something is wrong
   std::array<double, 2> gravity{};  // [m4/s] downslope weight and bed slope
@@ -20,6 +21,7 @@ struct Budget {
 
   void add(const Budget& b) {
     mass_boundary += b.mass_boundary;
+    mass_inflow += b.mass_inflow;
     mass_zone += b.mass_zone;
     mass_clipped += b.mass_clipped;
     for (int k : {0, 1}) {

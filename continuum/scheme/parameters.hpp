@@ -15,7 +15,9 @@ struct Parameters {
   Closure closure;
   Limiter limiter = Limiter::minmod;
   std::array<Side, 4> sides{};
-  double dry_depth = 0;  // [m]
+  double dry_depth = 0;        // [m]
+  std::array<bool, 4> shut{};  // inflow sides through which nothing comes now: walls
+  bool wall(int side) const { return shut[side] || sides[side].kind == Side::Kind::wall; }
 };
 
 }  // namespace couloir

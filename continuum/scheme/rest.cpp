@@ -30,7 +30,7 @@ class RestTest {
   }
 
  private:
-  bool wall(int side) const { return p_.sides[side].kind == Side::Kind::wall; }
+  bool wall(int side) const { return p_.wall(side); }
 
   Slope slope(int c, int n, double k, bool closed) const {
     if (closed) return {};
@@ -65,9 +65,7 @@ class RestTest {
 
 // A ghost outside of the domain stands for the cell inside.
 void copy_from_inside(const Parameters& p, const Block& b, std::vector<double>& loose) {
-  const auto outside = [&](int side) {
-    return p.sides[side].kind == Side::Kind::wall || p.sides[side].kind == Side::Kind::outflow;
-  };
+  const auto outside = [&](int side) { return p.wall(side) || p.sides[side].kind == Side::Kind::outflow; };
   for (int j = 0; j < b.ny; ++j) {
     if (b.i0 == 0 && outside(0)) loose[b.at(-1, j)] = loose[b.at(0, j)];
     if (b.i0 + b.nx == p.grid.nx && outside(1)) loose[b.at(b.nx, j)] = loose[b.at(b.nx - 1, j)];

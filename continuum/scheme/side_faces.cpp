@@ -28,7 +28,7 @@ void side_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Fa
     const bool low = side % 2 == 0;
     const double outward = low ? -1 : 1;
     const Side::Kind kind = p.sides[side].kind;
-    const bool closed = kind == Side::Kind::wall || (kind == Side::Kind::outflow && outward * axis.un[inside] < 0);
+    const bool closed = p.wall(side) || (kind == Side::Kind::outflow && outward * axis.un[inside] < 0);
     if (!closed) return;
     const double h = low ? v.h_lo[inside] : v.h_hi[inside];
     const double u = outward * (low ? v.un_lo[inside] : v.un_hi[inside]);
@@ -45,6 +45,7 @@ void count_sides(const Parameters& p, const Block& b, const BlockState& s, const
     if (s.open[inside] == 0) return;
     const double inward = (side % 2 == 0 ? 1 : -1) * share * axis.face_length;
     t.budget.mass_boundary += inward * f.mass[face];
+    if (p.sides[side].kind == Side::Kind::inflow) t.budget.mass_inflow += inward * f.mass[face];
     t.budget.boundary[normal] += inward * f.normal[face];
     t.budget.boundary[1 - normal] += inward * f.tangent[face];
     t.budget.sides[side][normal] += inward * f.normal[face];

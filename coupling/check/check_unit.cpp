@@ -99,7 +99,8 @@ std::string quantity_of_path(std::string_view path) {
   if (name.starts_with("relative_") || name.starts_with("share_") || ends("_per_second")) return "a plain number";
   if (ends("_time") || name == "arrival" || name == "first_contact" || path.starts_with("time."))
     return describe(Dimension::time);
-  if (name.starts_with("force")) return "a force";
+  const bool measure = name == "maximum" || name == "peak" || name == "mean" || name == "final";
+  if (name.starts_with("force") || (measure && (path.starts_with("obstacles.") || path.starts_with("walls.")))) return "a force";
   if (name.starts_with("impulse")) return "an impulse";
   if (has("depth")) return describe(Dimension::length);
   if (has("speed") || has("velocity")) return describe(Dimension::velocity);

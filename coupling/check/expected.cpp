@@ -267,6 +267,17 @@ class Reader {
     return out;
   }
 
+  // A cell is a value, or a mapping with a value and what differs from its column.
+  Expectation table_cell(const Node& column, const Node& cell, const std::string& variant, const std::string& evidence,
+                         const std::string& source) const {
+    if (cell.kind != Node::Kind::mapping) return expectation(column, variant, &cell, evidence, source);
+    const ExpectedFields f(cell, "a cell", {"value", "tolerance", "evidence", "source"});
+    Node merged = column;
+    for (const auto& [name, entry] : cell.entries)
+      if (name != "value") merged.entry(name) = entry;
+    return expectation(merged, variant, &f.need("value"), evidence, source);
+  }
+
   void add_table(const Node& node) {
     const ExpectedFields f(node, "a table",
                            {"name", "scene", "set", "quick", "search", "variants", "evidence", "source", "columns", "rows"});
@@ -291,7 +302,7 @@ class Reader {
         for (std::size_t k = 0; k < heads.size(); ++k) {
           const Node& cell = row.items[k];
           if (!heads[k].quantity || !holds(heads[k].variants, c.variant) || cell.kind == Node::Kind::nothing) continue;
-          c.expect.push_back(expectation(*heads[k].quantity, c.variant, &cell, f.text("evidence"), source));
+          c.expect.push_back(table_cell(*heads[k].quantity, cell, c.variant, f.text("evidence"), source));
         }
       });
     }

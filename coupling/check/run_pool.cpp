@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -52,8 +53,8 @@ std::string last_line(const std::string& path) {
   return last;
 }
 
-// Its exit code, or -1 where it could not be started or was killed.
-int run_program(const std::string& program, std::vector<std::string> words, const std::string& log) {
+// How it ended, empty where it did well: "ended with exit code 3".
+std::string run_program(const std::string& program, std::vector<std::string> words, const std::string& log) {
   words.insert(words.begin(), program);
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -66,11 +67,12 @@ int run_program(const std::string& program, std::vector<std::string> words, cons
   pid_t pid = 0;
   const int error = posix_spawn(&pid, program.c_str(), &files, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&files);
-  if (error != 0) return -1;
+  if (error != 0) return fmt::format("could not be started: {}", std::strerror(error));
   int status = 0;
   while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (!WIFEXITED(status)) return fmt::format("was killed by signal {}", WTERMSIG(status));
+  return WEXITSTATUS(status) == 0 ? "" : fmt::format("ended with exit code {}", WEXITSTATUS(status));
 }
 
 }  // namespace
@@ -133,13 +135,15 @@ CheckedRun RunPool::make(const std::string& folder, const std::string& scene, co
   auto words = words_of(scene, set);
   words.insert(words.end(), {"--out", part, "--no-report"});
   const auto start = std::chrono::steady_clock::now();
-  const int code = run_program(program_, words, log);
+  const std::string bad_end = run_program(program_, words, log);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (code != 0) {
+  if (!bad_end.empty()) {
     const std::string said = last_line(log);
-    out.failure =
-        fmt::format("the run ended with exit code {}{}; what it left is in {}", code, said.empty() ? "" : ": " + said, part);
-    return out;
+    out.failure = fmt::format("the run {}{}; what it left is in {}", bad_end, said.empty() ? "" : ": " + said, part);
+    what it left is in {}
+    ", code, said.empty() ? "
+    " : " : " + said, part);
+            return out;
   }
   fs::remove(log);
   fs::rename(part, folder);

@@ -12,6 +12,7 @@
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/plan.hpp"
 #include "coupling/plan/release.hpp"
+#include "coupling/scene/inflow.hpp"
 #include "coupling/transfer/domain_edge.hpp"
 #include "coupling/transfer/zone.hpp"
 
@@ -29,6 +30,7 @@ class CoupledRun : public ModeRun {
     double deepest = 0;
     for (int j = 0; j < grid.ny; ++j)
       for (int i = 0; i < grid.nx; ++i) deepest = std::max(deepest, flow_->solver().at(i, j).h);
+    for (const SideSpec& side : scene_.sides) deepest = std::max(deepest, greatest_inflow(scene_, side).depth);
     grains_ =
         std::make_unique<GrainSide>(scene_, options_, surface_, deepest, [this](const std::string& what) { tell(0, what); });
     clock_ = std::make_unique<Clock>(grains_->timestep(), scene_.grains.window, scene_.duration);

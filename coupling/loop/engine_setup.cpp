@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "coupling/plan/build.hpp"
+#include "coupling/scene/inflow.hpp"
 
 namespace couloir {
 namespace {
@@ -12,7 +13,9 @@ constexpr double open_margin = 15;  // [d] of bed beyond an open side
 constexpr double box_margin = 10;   // [d] of room beyond the bed
 
 double highest(const Scene& s) {
-  return std::max({s.release.height, s.release.semi_z, 4 * s.grains.diameter});
+  double inflow = 0;
+  for (const SideSpec& side : s.sides) inflow = std::max(inflow, greatest_inflow(s, side).depth);
+  return std::max({s.release.height, s.release.semi_z, inflow, 4 * s.grains.diameter});
 }
 
 // Falling from the upper edge with the release's own height can throw a grain this high, and no higher.

@@ -62,11 +62,13 @@ double FlowSide::momentum() const {
 
 void FlowSide::report(WindowReport& w) {
   const Budget& b = model_->budget();
-  boundary_mass_ += density_ * b.mass_boundary;
+  // Inflow sides and all others apart: what goes out downstream is no smaller inflow.
+  inflow_mass_ += density_ * b.mass_inflow;
+  boundary_mass_ += density_ * (b.mass_boundary - b.mass_inflow);
   w.mass.initial += initial_mass_;
   w.mass.continuum = density_ * model_->volume();
-  w.mass.left_domain += std::max(0.0, -boundary_mass_);
-  w.mass.entered += std::max(0.0, boundary_mass_);
+  w.mass.left_domain += std::max(0.0, -boundary_mass_) + std::max(0.0, -inflow_mass_);
+  w.mass.entered += std::max(0.0, boundary_mass_) + std::max(0.0, inflow_mass_);
   w.momentum.gravity += density_ * b.gravity[0];
   w.momentum.bed += density_ * (b.friction[0] + b.cutoff[0]);
   w.momentum.boundary += density_ * b.boundary[0];

@@ -37,7 +37,7 @@ class FlowSide {
   std::vector<std::array<double, 2>> impulse_;  // by obstacle, at the last call
   std::vector<CellBox> footprint_;
   std::vector<double> h_, hu_, hv_;
-  double initial_mass_ = 0, boundary_mass_ = 0, momentum_before_ = 0, cpu_ = 0;
+  double initial_mass_ = 0, boundary_mass_ = 0, inflow_mass_ = 0, momentum_before_ = 0, cpu_ = 0;
 };
 
 }  // namespace couloir

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "coupling/engine/packing.hpp"
+#include "coupling/scene/inflow.hpp"
 #include "coupling/scene/release_shape.hpp"
 
 namespace couloir {
@@ -38,7 +39,7 @@ Limiter limiter_of(const std::string& word) {
   return Limiter::minmod;
 }
 
-Side side_of(const SideSpec& spec) {
+Side side_of(const Scene& scene, const SideSpec& spec) {
   Side side;
   switch (spec.kind) {
     case SideSpec::Kind::wall:
@@ -54,8 +55,11 @@ Side side_of(const SideSpec& spec) {
       side.kind = Side::Kind::inflow;
       break;
   }
-  side.depth = spec.depth;
-  side.velocity = spec.velocity;
+  const GreatestInflow inflow = greatest_inflow(scene, spec);
+  side.depth = inflow.depth;
+  side.velocity = inflow.velocity;
+  if (spec.kind == SideSpec::Kind::inflow && spec.inflow == SideSpec::Inflow::hydrograph)
+    for (const InflowRow& row : spec.hydrograph) side.hydrograph.push_back({row.time, row.depth, row.velocity});
   return side;
 }
 
@@ -64,9 +68,10 @@ Side side_of(const SideSpec& spec) {
 Grid grid_of(const Scene& scene) {
   const double length = scene.terrain.total_length(), width = scene.terrain.width;
   const double cell = scene.continuum.cell > 0 ? scene.continuum.cell : 2 * scene.grains.diameter;
+  const double across = scene.continuum.cell > 0 ? scene.continuum.across() : cell;
   Grid grid;
   grid.nx = std::max(4, static_cast<int>(std::lround(length / cell)));
-  grid.ny = 2 * std::max(1, static_cast<int>(std::lround(width / (2 * cell))));
+  grid.ny = 2 * std::max(1, static_cast<int>(std::lround(width / (2 * across))));
   grid.dx = length / grid.nx;
   grid.dy = short_mantissa(width / grid.ny);
   grid.x0 = 0;
@@ -91,7 +96,7 @@ SolverSettings solver_settings(const Scene& scene) {
   settings.gravity = scene.gravity;
   settings.closure = closure_of(scene);
   settings.limiter = limiter_of(scene.continuum.limiter);
-  std::ranges::transform(scene.sides, settings.sides.begin(), side_of);
+  std::ranges::transform(scene.sides, settings.sides.begin(), [&](const SideSpec& s) { return side_of(scene, s); });
   settings.cfl = scene.continuum.cfl;
   settings.dry_depth = dry_share * greatest_depth(scene);
   return settings;

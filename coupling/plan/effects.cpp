@@ -7,6 +7,7 @@
 
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/flow_estimate.hpp"
+#include "coupling/scene/inflow.hpp"
 #include "coupling/scene/units.hpp"
 
 namespace couloir {
@@ -94,10 +95,13 @@ struct Listing {
   Effect inflow() const {
     const char* sides[] = {"upstream", "downstream", "left", "right"};
     for (int side = 0; side < 4; ++side) {
-      if (s.sides[side].kind == SideSpec::Kind::inflow) {
-        return {"inflow", true,
-                fmt::format("{}: {} deep at {:.6g} m/s", sides[side], len(s.sides[side].depth), s.sides[side].velocity)};
-      }
+      const SideSpec& spec = s.sides[side];
+      if (spec.kind != SideSpec::Kind::inflow) continue;
+      const GreatestInflow q = greatest_inflow(s, spec);
+      const char* how = spec.inflow == SideSpec::Inflow::silo ? " from a silo's gate (velocity by Beverloo's law: assumed)"
+                        : spec.inflow == SideSpec::Inflow::hydrograph ? " at most, by a hydrograph"
+                                                                      : "";
+      return {"inflow", true, fmt::format("{}: {} deep at {:.6g} m/s{}", sides[side], len(q.depth), q.velocity, how)};
     }
     return {"inflow", false, "no side of the domain is an inflow"};
   }

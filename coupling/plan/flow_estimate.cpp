@@ -6,6 +6,7 @@
 
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/release.hpp"
+#include "coupling/scene/inflow.hpp"
 #include "coupling/scene/release_shape.hpp"
 
 namespace couloir {
@@ -25,8 +26,8 @@ struct Spread {
 
 std::vector<FlowEstimate> flow_estimate(const Scene& scene) {
   const ReferenceSurface surface = reference_surface(scene);
-  const SideSpec& inflow = scene.sides[0];
-  const bool fed = inflow.kind == SideSpec::Kind::inflow, uniform = scene.release.kind == ReleaseSpec::Kind::uniform;
+  const GreatestInflow inflow = greatest_inflow(scene, scene.sides[0]);
+  const bool fed = scene.sides[0].kind == SideSpec::Kind::inflow, uniform = scene.release.kind == ReleaseSpec::Kind::uniform;
   const Footprint base = release_footprint(scene);
   const double start = uniform || fed ? 0 : (base.x0 + base.x1) / 2;
   const double g = scene.gravity, mu = std::tan(scene.material.delta);

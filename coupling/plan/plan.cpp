@@ -9,6 +9,7 @@
 #include "coupling/plan/effects.hpp"
 #include "coupling/plan/limits.hpp"
 #include "coupling/plan/release.hpp"
+#include "coupling/scene/inflow.hpp"
 #include "coupling/scene/release_shape.hpp"
 #include "coupling/scene/units.hpp"
 
@@ -61,9 +62,8 @@ double volume_of_all_grains(const Scene& scene) {
   if (fed(scene)) {
     double deepest_inflow = 0, entered = 0;
     for (const SideSpec& side : scene.sides) {
-      if (side.kind != SideSpec::Kind::inflow) continue;
-      deepest_inflow = std::max(deepest_inflow, side.depth);
-      entered += side.depth * side.velocity * scene.terrain.width * scene.duration;
+      deepest_inflow = std::max(deepest_inflow, greatest_inflow(scene, side).depth);
+      entered += inflow_volume(scene, side) * scene.terrain.width;
     }
     const double full = scene.terrain.total_length() * scene.terrain.width * deepest_inflow;
     volume = std::max(volume, std::min(volume + entered, full));

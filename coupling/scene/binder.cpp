@@ -23,6 +23,8 @@ std::string wanted(const Key& key) {
       return describe(key.dimension) + unit;
     case ValueKind::numbers:
       return fmt::format("a list of {} numbers{}", key.count, unit);
+    case ValueKind::table:
+      return fmt::format("a list of rows of {} numbers", key.columns.size());
     case ValueKind::integer:
       return "a whole number";
     case ValueKind::text:
@@ -102,6 +104,9 @@ class Binder {
       case ValueKind::numbers:
         numbers(node, key, full, index);
         break;
+      case ValueKind::table:
+        table(node, key, full, index);
+        break;
       case ValueKind::integer:
         integer(node, key, full, index);
         break;
@@ -161,6 +166,23 @@ class Binder {
     std::vector<double> list;
     for (std::size_t n = 0; n < node.items.size(); ++n) {
       list.push_back(quantity(node.items[n], key, fmt::format("{}[{}]", full, n)));
+    }
+    key.set(scene_, index, list);
+  }
+
+  void table(const Node& node, const Key& key, const std::string& full, int index) {
+    if (node.kind != Node::Kind::list) fail(node, full, fmt::format("is {}, but must be {}", describe(node), wanted(key)));
+    std::vector<double> list;
+    for (std::size_t r = 0; r < node.items.size(); ++r) {
+      const Node& row = node.items[r];
+      const std::string place = fmt::format("{}[{}]", full, r);
+      if (row.kind != Node::Kind::list || row.items.size() != key.columns.size())
+        fail(row, place, fmt::format("is {}, but must be a list of {} numbers", describe(row), key.columns.size()));
+      for (std::size_t n = 0; n < row.items.size(); ++n) {
+        Key column = key;
+        column.dimension = key.columns[n];
+        list.push_back(quantity(row.items[n], column, fmt::format("{}[{}]", place, n)));
+      }
     }
     key.set(scene_, index, list);
   }

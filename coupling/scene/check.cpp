@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/scene/inflow.hpp"
 #include "coupling/scene/release_shape.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "coupling/scene/units.hpp"
@@ -99,6 +100,7 @@ struct Checker {
     if (scene.sides[0].kind == Kind::periodic && scene.terrain.kind == TerrainSpec::Kind::chute) {
       fail("boundaries.upstream", "is periodic on a chute, whose ends have different slopes; use wall or outflow");
     }
+    for (int k = 0; k < 4; ++k) inflow(scene.sides[k], fmt::format("boundaries.{}.inflow", names[k]));
     if (scene.mode == Mode::continuum) return;
     if (scene.sides[0].kind == Kind::periodic) {
       fail("boundaries.upstream", "is periodic, which grains are across the slope only; use wall or outflow, or mode: continuum");
@@ -111,8 +113,32 @@ struct Checker {
     }
   }
 
+  void inflow(const SideSpec& side, const std::string& key) const {
+    if (side.kind != SideSpec::Kind::inflow) return;
+    if (side.inflow == SideSpec::Inflow::hydrograph) {
+      if (side.hydrograph.size() < 2) fail(key + ".hydrograph", "has {} rows; give at least 2", side.hydrograph.size());
+      for (std::size_t k = 1; k < side.hydrograph.size(); ++k) {
+        if (!(side.hydrograph[k].time > side.hydrograph[k - 1].time))
+          fail(key + ".hydrograph", "has a row at {} after one at {}; the times must rise",
+               short_quantity(side.hydrograph[k].time, Dimension::time),
+               short_quantity(side.hydrograph[k - 1].time, Dimension::time));
+      }
+      if (greatest_inflow(scene, side).velocity == 0 || greatest_inflow(scene, side).depth == 0)
+        fail(key + ".hydrograph", "lets nothing in; give rows with a depth and a velocity");
+    }
+    if (side.inflow == SideSpec::Inflow::silo && greatest_inflow(scene, side).velocity == 0) {
+      fail(key + ".gate", "is {}, too narrow for grains of {}: none would come through; open it further", len(side.gate),
+           len(scene.material.diameter));
+    }
+  }
+
   void release() const {
     const ReleaseSpec& r = scene.release;
+    if (r.kind == ReleaseSpec::Kind::none) {
+      if (scene.sides[0].kind != SideSpec::Kind::inflow)
+        fail("release.kind", "is none, but boundaries.upstream is no inflow: there would be no material; give one of both");
+      return;
+    }
     if (r.kind == ReleaseSpec::Kind::uniform) return;
     if (r.kind == ReleaseSpec::Kind::cap && r.height > r.base_radius) {
       fail("release.height", "is {}, more than the base radius {}: the cap would overhang; lower it to a hemisphere at most",
@@ -151,11 +177,12 @@ struct Checker {
            len(std::min(o.length, o.width)));
     }
     // The continuum alone may start on top of an obstacle: depths count from there.
-    if (grains() && scene.release.kind != ReleaseSpec::Kind::uniform && overlaps_release(o)) {
+    using Kind = ReleaseSpec::Kind;
+    if (grains() && scene.release.kind != Kind::uniform && scene.release.kind != Kind::none && overlaps_release(o)) {
       fail(key, "stands in the release; move one of them");
     }
     const double cell = scene.continuum.cell;
-    if (continuum() && cell > 0 && std::min(o.length, o.width) < 0.999 * cell) {
+    if (continuum() && cell > 0 && (o.length < 0.999 * cell || o.width < 0.999 * scene.continuum.across())) {
       fail(key + ".size",
            "is {} by {} on the bed, thinner than a cell ({}), so that the mesh would not see it; use smaller cells",
            len(o.length), len(o.width), len(cell));
@@ -207,11 +234,12 @@ struct Checker {
     if (cell == 0) {
       fail("continuum.cell", "is missing: mode {} needs the edge of a cell, a length such as 5 mm", to_string(scene.mode));
     }
-    if (cell > length() / 4 || cell > width()) {
+    const double across = scene.continuum.across();
+    if (cell > length() / 4 || across > width()) {
       fail("continuum.cell", "is {}, too large for a domain of {} by {}: it needs 4 cells along the slope and 1 across",
            len(cell), len(length()), len(width()));
     }
-    const double cells = length() / cell * width() / cell;
+    const double cells = length() / cell * width() / across;
     if (cells > most_cells) {
       fail("continuum.cell", "is {}, which makes {:.3g} million cells, more than the {:.3g} million allowed; use at least {}",
            len(cell), cells * 1e-6, most_cells * 1e-6, len(std::sqrt(length() * width() / most_cells)));
@@ -228,7 +256,7 @@ struct Checker {
     }
     double depth = deepest(scene);
     for (const SideSpec& side : scene.sides) {
-      if (side.kind == SideSpec::Kind::inflow) depth = std::max(depth, side.depth);
+      depth = std::max(depth, greatest_inflow(scene, side).depth);
     }
     if (d * (1 + scene.grains.spread) > depth) {
       fail("grains.diameter", "is {}, and with its spread larger than the flow's greatest depth {}; use smaller grains", len(d),

@@ -15,6 +15,11 @@ std::string kind_of(const Key& key) {
       return unit.empty() ? "number" : fmt::format("{} [{}]", std::string(describe(key.dimension)), unit);
     case ValueKind::numbers:
       return fmt::format("list of {} [{}]", key.count, unit);
+    case ValueKind::table: {
+      std::vector<std::string> units;
+      for (const Dimension d : key.columns) units.push_back(si_unit(d));
+      return fmt::format("list of rows [{}]", fmt::join(units, ", "));
+    }
     case ValueKind::integer:
       return "whole number";
     case ValueKind::text:

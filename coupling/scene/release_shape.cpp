@@ -26,6 +26,8 @@ Footprint release_footprint(const Scene& scene) {
       return {r.x - r.semi_x, r.x + r.semi_x, r.y - r.semi_y, r.y + r.semi_y};
     case Kind::block:
       return {r.x, r.x + r.length, r.y - r.width / 2, r.y + r.width / 2};
+    case Kind::none:
+      return {0, 0, 0, 0};
     case Kind::uniform:
       break;
   }
@@ -42,6 +44,8 @@ double shape_volume(const Scene& scene) {
       return 2 * pi / 3 * r.semi_x * r.semi_y * r.semi_z;
     case Kind::block:
       return r.length * r.width * r.height;
+    case Kind::none:
+      return 0;
     case Kind::uniform:
       break;
   }
@@ -67,6 +71,8 @@ double shape_depth(const Scene& scene, double x, double y) {
     }
     case Kind::block:
       return dx >= 0 && dx < r.length && std::abs(dy) <= r.width / 2 ? r.height : 0;
+    case Kind::none:
+      return 0;
     case Kind::uniform:
       return on_obstacle(scene, x, y) ? 0 : r.height;
   }

@@ -9,7 +9,7 @@ struct Footprint {
   double x0, x1, y0, y1;  // [m]
 };
 
-// The smallest rectangle around the release; uniform: the whole domain.
+// The smallest rectangle around the release; uniform: the whole domain; none: the middle of the upper edge.
 Footprint release_footprint(const Scene&);
 
 // [m3], exact: cap pi H (3 a^2 + H^2) / 6, semi-ellipsoid 2/3 pi a b c, block, uniform (less the obstacles' footprints).

@@ -45,7 +45,7 @@ struct Material {
 };
 
 struct ReleaseSpec {
-  enum class Kind { cap, ellipsoid, block, uniform } kind = Kind::cap;
+  enum class Kind { cap, ellipsoid, block, uniform, none } kind = Kind::cap;
   double x = 0, y = 0;                        // [m] centre (cap, ellipsoid); upper edge and centre line (block)
   double base_radius = 0, height = 0;         // [m] cap: spherical; block, uniform: height is the depth
   double semi_x = 0, semi_y = 0, semi_z = 0;  // [m] ellipsoid
@@ -73,15 +73,25 @@ struct ObstacleSpec {
   double crest_width() const;             // [m] ... and the obstacle's width there
 };
 
+struct InflowRow {
+  double time = 0, depth = 0, velocity = 0;  // [s], [m], [m/s]
+};
+
 struct SideSpec {
   enum class Kind { wall, outflow, periodic, inflow } kind = Kind::outflow;
   bool open() const { return kind == Kind::outflow || kind == Kind::inflow; }  // material passes it
-  double depth = 0, velocity = 0;                                              // inflow only
+  // Inflow only; inflow.hpp tells what comes in.
+  enum class Inflow { uniform, hydrograph, silo } inflow = Inflow::uniform;
+  double depth = 0, velocity = 0;     // [m], [m/s] uniform
+  std::vector<InflowRow> hydrograph;  // linear between its rows, nothing before and after them
+  double gate = 0;                    // [m] silo: opening
 };
 
 struct ContinuumSpec {
   std::string scheme = "central_upwind";  // | noc
-  double cell = 0;                        // [m]
+  double cell = 0;         // [m]
+  double cell_across = 0;  // [m] 0: as cell
+  double across() const { return cell_across > 0 ? cell_across : cell; }
   double cfl = 0.45;
   std::string closure = "active_passive";  // | hydraulic
   std::string limiter = "minmod";          // | van_leer | mc | superbee | eno

@@ -103,7 +103,8 @@ void add_release(Keys& k) {
   const auto centre = [](auto& s, int) { return std::tie(s.release.x, s.release.y); };
   const auto semi_axes = [](auto& s, int) { return std::tie(s.release.semi_x, s.release.semi_y, s.release.semi_z); };
   k.add(mapping("release", "the mass at the start").required());
-  k.add(choice("release.kind", "its shape", {"cap", "ellipsoid", "block", "uniform"}, COULOIR_AT(release.kind)).required());
+  k.add(
+      choice("release.kind", "its shape", {"cap", "ellipsoid", "block", "uniform", "none"}, COULOIR_AT(release.kind)).required());
   k.add(numbers("release.centre", length, "[x, y] of the middle", centre).required().when("kind", {"cap", "ellipsoid"}));
   k.add(numbers("release.position", length, "[x, y] of the middle of the upper edge", centre).required().when("kind", {"block"}));
   k.add(number("release.base_radius", length, "of the spherical cap's base", COULOIR_AT(release.base_radius))
@@ -179,6 +180,49 @@ void add_obstacles(Keys& k) {
             .when("method", {"elevation"}));
 }
 
+void add_inflow(Keys& k, const std::string& path, int side) {
+  const auto at = [side](auto member) {
+    return [=](auto& s, int) -> auto& {
+      return s.sides[side].*member;
+    };
+  };
+  k.add(choice(path + ".kind", "how it changes", {"uniform", "hydrograph", "silo"}, at(&SideSpec::inflow)));
+  k.add(number(path + ".depth", length, "along the normal", at(&SideSpec::depth)).above(0).required().when("kind", {"uniform"}));
+  k.add(number(path + ".velocity", velocity, "inward", at(&SideSpec::velocity))
+            .above(0)
+            .upto(1000)
+            .required()
+            .when("kind", {"uniform"}));
+  Key table;
+  table.path = path + ".hydrograph";
+  table.kind = ValueKind::table;
+  table.help = "rows [time, depth, velocity], times rising; linear between them, nothing before the first and after the last";
+  table.columns = {time, length, velocity};
+  table.bounds = {0, 1e6, false};
+  table.presence = Presence::required;
+  table.selector = "kind";
+  table.selected = {"hydrograph"};
+  table.get = [=](const Scene& s, int) -> Value {
+    std::vector<double> out;
+    for (const InflowRow& row : s.sides[side].hydrograph) out.insert(out.end(), {row.time, row.depth, row.velocity});
+    return out;
+  };
+  table.set = [=](Scene& s, int, const Value& value) {
+    const auto& list = std::get<std::vector<double>>(value);
+    s.sides[side].hydrograph.clear();
+    for (std::size_t n = 0; n + 2 < list.size(); n += 3) s.sides[side].hydrograph.push_back({list[n], list[n + 1], list[n + 2]});
+  };
+  k.add(table);
+  k.add(number(
+            path + ".gate", length,
+            "opening of a silo's gate, the depth of the flow from it; assumed: discharge 1.03 sqrt(g) (gate - 1.4 d)^1.5 a metre "
+            "of width (Beverloo, slot), d the material's diameter",
+            at(&SideSpec::gate))
+            .above(0)
+            .required()
+            .when("kind", {"silo"}));
+}
+
 void add_boundaries(Keys& k) {
   k.add(mapping("boundaries", "what the sides of the domain do"));
   const char* sides[] = {"upstream", "downstream", "left", "right"};
@@ -199,15 +243,7 @@ void add_boundaries(Keys& k) {
     Key inflow = mapping(path + ".inflow", "material comes in").required().build();
     inflow.enter = [=](Scene& s, int) { s.sides[side].kind = SideSpec::Kind::inflow; };
     k.add(inflow);
-    k.add(number(
-              path + ".inflow.depth", length, "along the normal", [=](auto& s, int) -> auto& { return s.sides[side].depth; })
-              .above(0)
-              .required());
-    k.add(number(
-              path + ".inflow.velocity", velocity, "inward", [=](auto& s, int) -> auto& { return s.sides[side].velocity; })
-              .above(0)
-              .upto(1000)
-              .required());
+    add_inflow(k, path + ".inflow", side);
   }
 }
 
@@ -217,6 +253,10 @@ void add_continuum(Keys& k) {
              {"central_upwind", "noc"}, COULOIR_AT(continuum.scheme)));
   k.add(number("continuum.cell", length, "edge of a cell; adjusted so that the domain holds a whole number",
                COULOIR_AT(continuum.cell))
+            .above(0)
+            .optional());
+  k.add(number("continuum.cell_across", length, "its length across the slope, where it differs from the one along it",
+               COULOIR_AT(continuum.cell_across))
             .above(0)
             .optional());
   k.add(number("continuum.cfl", none, "Courant number; at 0.5 ends the positivity of central_upwind, and the bound (3.22) of noc",

@@ -16,6 +16,7 @@ namespace couloir {
 enum class ValueKind {
   number,   // with a dimension
   numbers,  // a list of `count` numbers
+  table,    // a list of rows, each a list of numbers of the dimensions in `columns`
   integer,
   text,
   choice,   // one of `choices`
@@ -23,7 +24,7 @@ enum class ValueKind {
   named,    // a mapping from names that the user chooses to mappings; "*" in paths
 };
 
-using Value = std::variant<double, long, std::string, std::vector<double>>;
+using Value = std::variant<double, long, std::string, std::vector<double>>;  // a table: row by row
 
 struct Bounds {
   double least = -std::numeric_limits<double>::infinity();
@@ -43,6 +44,7 @@ struct Key {
   std::string help;
   Dimension dimension = Dimension::none;
   int count = 1;
+  std::vector<Dimension> columns;  // of a table
   Bounds bounds;
   std::vector<std::string> choices;
   Presence presence = Presence::defaulted;

@@ -32,7 +32,16 @@ std::string written(const Key& key, const Value& value) {
   if (const auto* number = std::get_if<long>(&value)) return fmt::format("{}", *number);
   if (const auto* list = std::get_if<std::vector<double>>(&value)) {
     std::vector<std::string> items;
-    for (const double x : *list) items.push_back(exact_quantity(x, key.dimension));
+    if (key.kind == ValueKind::table) {
+      const std::size_t n = key.columns.size();
+      for (std::size_t r = 0; r + n <= list->size(); r += n) {
+        std::vector<std::string> row;
+        for (std::size_t c = 0; c < n; ++c) row.push_back(exact_quantity((*list)[r + c], key.columns[c]));
+        items.push_back(fmt::format("[{}]", fmt::join(row, ", ")));
+      }
+    } else {
+      for (const double x : *list) items.push_back(exact_quantity(x, key.dimension));
+    }
     return fmt::format("[{}]", fmt::join(items, ", "));
   }
   const auto& text = std::get<std::string>(value);

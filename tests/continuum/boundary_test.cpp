@@ -48,6 +48,66 @@ TEST(Boundary, InflowFillsWithWhatItIsGiven) {
   EXPECT_NEAR(solver.at(30, 1).hu, 0.1, 1e-9);
 }
 
+// Depth rises from 20 to 60 mm in 0.3 s at 2 m/s (Fr > 2.6: all of it enters) and ends: what is inside is the integral.
+TEST(Boundary, AHydrographFillsWithItsIntegral) {
+  for (const int n : {100, 200}) {
+    SolverSettings s = basin(n, 2, 2.0 / n);
+    s.sides[0].kind = Side::Kind::inflow;
+    s.sides[0].hydrograph = {{0.1, 0.02, 2.0}, {0.4, 0.06, 2.0}};
+    s.sides[1].kind = Side::Kind::outflow;
+    Solver solver(s, ReferenceSurface::flat(2), {});
+    solver.advance_to(0.1);
+    EXPECT_EQ(solver.volume(), 0) << "nothing before the first row";
+    solver.advance_to(0.6);
+    const double width = 4.0 / n, whole = 0.04 * 2 * 0.3 * width;
+    EXPECT_NEAR(solver.volume(), whole, 2e-3 * whole) << n;
+    EXPECT_NEAR(solver.volume(), solver.budget().mass_boundary, 1e-14 * whole);
+    EXPECT_EQ(solver.budget().mass_inflow, solver.budget().mass_boundary);
+    const double then = solver.budget().mass_inflow;
+    solver.advance_to(3);
+    EXPECT_EQ(solver.budget().mass_inflow, then) << "shut after the last row: nothing in, nothing out";
+    EXPECT_LT(solver.budget().mass_boundary, then);
+    EXPECT_NEAR(solver.volume(), solver.budget().mass_boundary, 1e-14 * whole);
+    EXPECT_GE(solver.min_depth(), 0);
+    EXPECT_EQ(solver.budget().mass_clipped, 0);
+  }
+}
+
+TEST(Boundary, AnInflowFromTheSideIsItsMirror) {
+  const auto run = [](int side) {
+    SolverSettings s = basin(24, 24, 0.05);
+    s.sides[side].kind = Side::Kind::inflow;
+    s.sides[side].hydrograph = {{0, 0.02, 1.0}, {0.2, 0.05, 2.0}, {0.5, 0.01, 0.1}};
+    Solver solver(s, ReferenceSurface::flat(1.2), {});
+    solver.advance_to(0.8);
+    return solver;
+  };
+  const Solver low = run(0), high = run(1), left = run(2);
+  for (int i = 0; i < 24; ++i) {
+    EXPECT_EQ(low.at(i, 12).h, high.at(23 - i, 12).h);
+    EXPECT_EQ(low.at(i, 12).hu, -high.at(23 - i, 12).hu);
+    EXPECT_EQ(low.at(i, 12).h, left.at(12, i).h);
+  }
+}
+
+TEST(Boundary, InflowAtATime) {
+  Side side;
+  side.kind = Side::Kind::inflow;
+  side.hydrograph = {{1, 0.1, 2}, {3, 0.3, 0}};
+  EXPECT_EQ(inflow_at(side, 0.999).depth, 0);
+  EXPECT_EQ(inflow_at(side, 1).depth, 0.1);
+  EXPECT_DOUBLE_EQ(inflow_at(side, 1.5).depth, 0.15);
+  EXPECT_DOUBLE_EQ(inflow_at(side, 1.5).velocity, 1.5);
+  EXPECT_EQ(inflow_at(side, 3).depth, 0.3);
+  EXPECT_EQ(inflow_at(side, 3.001).depth, 0);
+  EXPECT_GT(fastest_inflow(side, 9.81, 0), 2);
+  EXPECT_EQ(fastest_inflow(side, 9.81, 4), 0);
+  SolverSettings s = basin(8, 8, 0.1);
+  s.sides[0] = side;
+  s.sides[0].hydrograph[1].time = 1;
+  EXPECT_THROW(Solver(s, ReferenceSurface::flat(0.8), {}), std::invalid_argument);
+}
+
 TEST(Boundary, WallsKeepAll) {
   Solver solver(basin(30, 30, 0.03), ReferenceSurface::flat(0.9), {});
   solver.set([](double x, double y) { return FlowState{0.01 + 0.2 * std::exp(-30 * (x * x + y * y)), 0, 0}; });

@@ -1,13 +1,17 @@
 #include "coupling/scene/reader.hpp"
 
+#include <gmock/gmock.h>
+
 #include <cmath>
 #include <numbers>
 
+#include "coupling/scene/inflow.hpp"
 #include "scene_fixture.hpp"
 
 namespace couloir {
 namespace {
 
+using ::testing::HasSubstr;
 using Reader = SceneFixture;
 constexpr double deg = std::numbers::pi / 180;
 
@@ -65,6 +69,43 @@ TEST_F(Reader, ReadsInflowAndZoneBox) {
   EXPECT_EQ(s.grains.zone->y0, -0.2);
 }
 
+TEST_F(Reader, ReadsInflowsAndGauges) {
+  Scene s =
+      read(good_scene, {{"boundaries.upstream", "{inflow: {kind: hydrograph, hydrograph: [[0, 0, 1], [200 ms, 4 cm, 2 m/s]]}}"},
+                        {"record.gauges", "{front: {position: [1 m, 10 mm]}, back: {position: [2 m, 0]}}"}});
+  EXPECT_EQ(s.sides[0].inflow, SideSpec::Inflow::hydrograph);
+  ASSERT_EQ(s.sides[0].hydrograph.size(), 2u);
+  EXPECT_EQ(s.sides[0].hydrograph[1].time, 0.2);
+  EXPECT_EQ(s.sides[0].hydrograph[1].depth, 0.04);
+  EXPECT_EQ(s.sides[0].hydrograph[1].velocity, 2);
+  ASSERT_EQ(s.record.gauges.size(), 2u);
+  EXPECT_EQ(s.record.gauges[0].name, "front");
+  EXPECT_EQ(s.record.gauges[0].y, 0.01);
+
+  s = read(good_scene, {{"boundaries.upstream", "{inflow: {kind: silo, gate: 18 mm}}"}, {"release", "{kind: none}"}});
+  EXPECT_EQ(s.sides[0].gate, 0.018);
+  // Vestolen, d = 4 mm: 1.03 sqrt(9.81) (18 - 5.6)^1.5 / 18.
+  const GreatestInflow q = greatest_inflow(s, s.sides[0]);
+  EXPECT_NEAR(q.velocity, 1.03 * std::sqrt(9.81) * std::pow(0.0124, 1.5) / 0.018, 1e-12);
+  EXPECT_EQ(q.depth, 0.018);
+}
+
+TEST_F(Reader, SaysWhatIsWrongWithAnInflow) {
+  const auto with = [&](const std::string& inflow) { return error(good_scene, {{"boundaries.upstream.inflow", inflow}}); };
+  EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[0, 1 cm, 1], [1 s, 1 cm]]}"),
+              HasSubstr("inflow.hydrograph[1] is a list, but must be a list of 3 numbers"));
+  EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[0, 1 kg, 1], [1 s, 1 cm, 1]]}"),
+              HasSubstr("inflow.hydrograph[0][1] is '1 kg', but 'kg' is not a unit of a length"));
+  EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[1 s, 1 cm, 1], [0, 1 cm, 1]]}"), HasSubstr("the times must rise"));
+  EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[0, 0, 1], [1 s, 0, 1]]}"), HasSubstr("lets nothing in"));
+  EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[0, 0, 1]]}"), HasSubstr("give at least 2"));
+  EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[0, -1 mm, 1], [1 s, 0, 1]]}"), HasSubstr("out of bounds"));
+  EXPECT_THAT(with("{kind: silo, gate: 3 mm}"), HasSubstr("too narrow for grains of 4 mm"));
+  EXPECT_THAT(with("{gate: 3 mm}"), HasSubstr("gate does not belong to kind 'uniform'; it is for silo"));
+  EXPECT_THAT(error(good_scene, {{"release", "{kind: none}"}}), HasSubstr("boundaries.upstream is no inflow"));
+  EXPECT_THAT(error(good_scene, {{"record.gauges", "{far: {position: [3 m, 0]}}"}}), HasSubstr("outside of the domain"));
+}
+
 TEST_F(Reader, ScalesBareNumbers) {
   const std::string text =
       "mode: continuum\n"
@@ -96,7 +137,7 @@ TEST_F(Reader, NamesTheNearestKey) {
 
 TEST_F(Reader, ListsTheKeysIfNoneIsNear) {
   EXPECT_EQ(error(replaced(good_scene, "  cell:", "  colour: red\n  cell:")),
-            "scene.yaml:9: continuum.colour is unknown; continuum takes scheme, cell, cfl, closure, limiter, curvature");
+            "scene.yaml:9: continuum.colour is unknown; continuum takes scheme, cell, cell_across, cfl, closure, limiter, curvature");
 }
 
 TEST_F(Reader, SaysWhatIsMissing) {
@@ -105,7 +146,7 @@ TEST_F(Reader, SaysWhatIsMissing) {
   EXPECT_EQ(error(replaced(good_scene, ", width: 0.5 m", "")),
             "scene.yaml:2: terrain.width is missing: across; y runs from -width/2 to width/2; give a length in m, mm, cm, km");
   EXPECT_EQ(error(replaced(good_scene, "kind: block, ", "")),
-            "scene.yaml:4: release.kind is missing: its shape; give one of cap, ellipsoid, block, uniform");
+            "scene.yaml:4: release.kind is missing: its shape; give one of cap, ellipsoid, block, uniform, none");
 }
 
 TEST_F(Reader, SaysWhatAKindTakes) {

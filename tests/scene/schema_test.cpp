@@ -31,6 +31,7 @@ TEST(Schema, SetsWhatItGets) {
     Scene scene;
     scene.obstacles.emplace_back();
     scene.record.gauges.emplace_back();
+    for (SideSpec& side : scene.sides) side.hydrograph.emplace_back();
     scene.grains.zone.emplace();
     Value value = key.get(scene, 0);
     if (auto* x = std::get_if<double>(&value)) *x = 0.375;

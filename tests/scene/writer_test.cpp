@@ -18,6 +18,10 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
                "kind: uniform, height: 60 mm, velocity: 1 m/s"),
       replaced(good_scene, "  cell", "  curvature: off\n  cell"),
       "scales: {length: 33.33 mm}\n" + good_scene,
+      replaced(good_scene, "left: wall, right: wall",
+               "upstream: {inflow: {kind: hydrograph, hydrograph: [[0, 0, 0], [1, 0.1, 0.3]]}}"),
+      replaced(good_scene, "left: wall, right: wall", "upstream: {inflow: {kind: silo, gate: 18 mm}}"),
+      good_scene + "record: {gauges: {one: {position: [1 m, 0.1]}, two: {position: [0.1, 0.1 m]}}}\n",
       replaced(good_scene, "mode: coupled", "mode: continuum"),
   };
   for (const std::string& text : cases) {
@@ -38,6 +42,12 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
     EXPECT_EQ(second.obstacles[0].height, first.obstacles[0].height);
     EXPECT_EQ(second.sides[0].kind, first.sides[0].kind);
     EXPECT_EQ(second.sides[0].velocity, first.sides[0].velocity);
+    ASSERT_EQ(second.sides[0].hydrograph.size(), first.sides[0].hydrograph.size());
+    if (!first.sides[0].hydrograph.empty()) {
+      EXPECT_EQ(second.sides[0].hydrograph[1].velocity, first.sides[0].hydrograph[1].velocity);
+    }
+    EXPECT_EQ(second.sides[0].gate, first.sides[0].gate);
+    EXPECT_EQ(second.record.gauges.size(), first.record.gauges.size());
     EXPECT_EQ(second.continuum.curvature, first.continuum.curvature);
     EXPECT_EQ(second.grains.zone.has_value(), first.grains.zone.has_value());
     EXPECT_EQ(second.grains.timestep, first.grains.timestep);

@@ -1,0 +1,28 @@
+#include "continuum/boundary/side.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace couloir {
+
+InflowPoint inflow_at(const Side& side, double time) {
+  if (side.kind != Side::Kind::inflow) return {time, 0, 0};
+  const std::vector<InflowPoint>& points = side.hydrograph;
+  if (points.empty()) return {time, side.depth, side.velocity};
+  if (time < points.front().time || time > points.back().time) return {time, 0, 0};
+  const auto after = std::find_if(points.begin(), points.end(), [&](const InflowPoint& p) { return p.time >= time; });
+  if (after->time == time) return *after;
+  const InflowPoint& before = *(after - 1);
+  const double w = (time - before.time) / (after->time - before.time);
+  return {time, (1 - w) * before.depth + w * after->depth, (1 - w) * before.velocity + w * after->velocity};
+}
+
+double fastest_inflow(const Side& side, double gravity, double time) {
+  const auto signal = [&](const InflowPoint& p) { return p.depth > 0 ? p.velocity + std::sqrt(gravity * p.depth) : 0.0; };
+  double fastest = signal(inflow_at(side, time));
+  for (const InflowPoint& p : side.hydrograph)
+    if (p.time >= time) fastest = std::max(fastest, signal(p));  // sqrt is concave: between two points it may be a little more
+  return fastest;
+}
+
+}  // namespace couloir

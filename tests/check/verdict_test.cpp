@@ -1,0 +1,89 @@
+#include "coupling/check/verdict.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "coupling/check/check.hpp"
+#include "coupling/scene/scene_error.hpp"
+
+namespace couloir {
+namespace {
+
+using ::testing::HasSubstr;
+
+Finding finding(double expected, Tolerance tolerance, double si_of_unit = 1) {
+  Finding f;
+  f.expectation.value = expected;
+  f.expectation.tolerance = tolerance;
+  f.expectation.unit.si = si_of_unit;
+  return f;
+}
+
+Verdict verdict(double expected, Tolerance tolerance, double value) {
+  Finding f = finding(expected, tolerance);
+  judge(f, value);
+  return f.verdict;
+}
+
+TEST(Verdict, JudgesByItsTolerance) {
+  const Tolerance relative{Tolerance::Kind::relative, 0.01}, absolute{Tolerance::Kind::absolute, 0.5}, none{};
+  EXPECT_EQ(verdict(100, relative, 100.99), Verdict::pass);
+  EXPECT_EQ(verdict(100, relative, 101.01), Verdict::fail);
+  EXPECT_EQ(verdict(-100, relative, -100.99), Verdict::pass);
+  EXPECT_EQ(verdict(-100, relative, 100), Verdict::fail);
+  EXPECT_EQ(verdict(100, absolute, 99.51), Verdict::pass);
+  EXPECT_EQ(verdict(100, absolute, 99.49), Verdict::fail);
+  EXPECT_EQ(verdict(100, none, 1e9), Verdict::shown);
+  EXPECT_EQ(verdict(100, relative, std::nan("")), Verdict::fail);
+  EXPECT_EQ(verdict(0, absolute, std::nan("")), Verdict::fail);
+}
+
+TEST(Verdict, ComparesInTheExpectedUnit) {
+  Finding f = finding(2, {Tolerance::Kind::relative, 0.1}, 0.03333);
+  judge(f, 0.07);
+  EXPECT_NEAR(f.value, 0.07 / 0.03333, 1e-12);
+  EXPECT_NEAR(f.deviation, f.value / 2 - 1, 1e-12);
+  EXPECT_EQ(f.verdict, Verdict::pass);
+}
+
+TEST(Verdict, FindsNumbersAndRatios) {
+  const auto summary = nlohmann::json::parse(
+      R"({"obstacles": {"wall": {"impulse": 6.0, "first_contact": null}}, "time": {"simulated": 1.5}, "status": "done"})");
+  EXPECT_EQ(summary_value(summary, "obstacles.wall.impulse", "p"), 6);
+  EXPECT_EQ(summary_value(summary, "obstacles.wall.impulse / time.simulated", "p"), 4);
+  EXPECT_TRUE(std::isnan(summary_value(summary, "obstacles.wall.first_contact", "p")));
+  const auto error = [&](const std::string& path) -> std::string {
+    try {
+      summary_value(summary, path, "expected.yaml:7");
+    } catch (const SceneError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(error("obstacles.wal.impulse"), HasSubstr("expected.yaml:7: the quantity obstacles.wal.impulse"));
+  EXPECT_THAT(error("obstacles.wal.impulse"), HasSubstr("did you mean 'wall'?"));
+  EXPECT_THAT(error("status"), HasSubstr("is no number"));
+}
+
+TEST(Search, FindsTheSmallestGoodValueWithFewTrials) {
+  Search search;
+  search.from = 0.5, search.to = 6, search.step = 0.1;
+  int trials = 0;
+  const auto good_from = [&](double least) {
+    return [&trials, least](double v) {
+      ++trials;
+      return v >= least - 1e-9;
+    };
+  };
+  EXPECT_NEAR(smallest_good(search, good_from(4.4)), 4.4, 1e-12);
+  EXPECT_LE(trials, 8);
+  EXPECT_NEAR(smallest_good(search, good_from(0.1)), 0.5, 1e-12);
+  EXPECT_NEAR(smallest_good(search, good_from(6)), 6, 1e-12);
+  EXPECT_TRUE(std::isnan(smallest_good(search, good_from(7))));
+}
+
+}  // namespace
+}  // namespace couloir
