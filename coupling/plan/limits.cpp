@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "coupling/plan/build.hpp"
+#include "coupling/scene/inflow.hpp"
 #include "coupling/scene/release_shape.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "coupling/scene/units.hpp"
@@ -60,8 +61,10 @@ double fastest(const Scene& scene) {
   for (const FlowEstimate& f : flow_estimate(scene))
     most = std::max(most, std::abs(f.velocity) + std::sqrt(scene.gravity * f.depth));
   if (scene.release.velocity != 0) most = std::max(most, speed(scene.release.velocity, deepest(scene)));
-  for (const SideSpec& side : scene.sides)
-    if (side.kind == SideSpec::Kind::inflow) most = std::max(most, speed(side.velocity, side.depth));
+  for (const SideSpec& side : scene.sides) {
+    const GreatestInflow inflow = greatest_inflow(scene, side);
+    if (inflow.depth > 0) most = std::max(most, speed(inflow.velocity, inflow.depth));
+  }
   return most;
 }
 
