@@ -140,10 +140,7 @@ CheckedRun RunPool::make(const std::string& folder, const std::string& scene, co
   if (!bad_end.empty()) {
     const std::string said = last_line(log);
     out.failure = fmt::format("the run {}{}; what it left is in {}", bad_end, said.empty() ? "" : ": " + said, part);
-    what it left is in {}
-    ", code, said.empty() ? "
-    " : " : " + said, part);
-            return out;
+    return out;
   }
   fs::remove(log);
   fs::rename(part, folder);
