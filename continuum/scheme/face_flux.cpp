@@ -5,7 +5,6 @@
 #include "continuum/scheme/hll.hpp"
 
 namespace couloir {
-
 namespace {
 
 // What a slope's foot gives to a flow that it cannot hold by pressure: where the bed blocks the way down (h* < h reaches over),
@@ -16,9 +15,9 @@ inline double foot(double h, double over, double u, double weight, double deep) 
   return blocked * blocked * thin * (wall_flux(h, std::max(u, 0.0), weight) - pressure(h, weight));
 }
 
-}  // namespace
-
-void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
+// Without relief h* = h and the bed does not push: the same bits for less work.
+template <bool relief>
+void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
   const int step = axis.step;
   FaceFluxes& out = *axis.fluxes;
   const double *h_lo = f.h_lo.data(), *h_hi = f.h_hi.data(), *eta_lo = f.eta_lo.data(), *eta_hi = f.eta_hi.data();
@@ -33,21 +32,34 @@ void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceV
     for (int i = 0; i < axis.faces_i; ++i) {
       const int r = begin + i, l = r - step;
       const double gl = k[l] * weight[i], gr = k[r] * weight[i];
-      const double hl = h_hi[l], hr = h_lo[r], zl = eta_hi[l] - hl, zr = eta_lo[r] - hr;
-      const double sill = std::max(zl, zr);
-      // h - (sill - z) / K, written so that K = 1 keeps the bits of a lake's level.
-      const double over_l = std::max(0.0, std::min(hl, (eta_hi[l] - sill) + (1 - 1 / k[l]) * (sill - zl)));
-      const double over_r = std::max(0.0, std::min(hr, (eta_lo[r] - sill) + (1 - 1 / k[r]) * (sill - zr)));
+      const double hl = h_hi[l], hr = h_lo[r];
+      double over_l = hl, over_r = hr;
+      if constexpr (relief) {
+        const double zl = eta_hi[l] - hl, zr = eta_lo[r] - hr, sill = std::max(zl, zr);
+        // h - (sill - z) / K, written so that K = 1 keeps the bits of a lake's level.
+        over_l = std::max(0.0, std::min(hl, (eta_hi[l] - sill) + (1 - 1 / k[l]) * (sill - zl)));
+        over_r = std::max(0.0, std::min(hr, (eta_lo[r] - sill) + (1 - 1 / k[r]) * (sill - zr)));
+      }
       const NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr, smooth[l] * smooth[r] == 0);
       const double m = n.mass * std::max(loose[l], loose[r]);
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
       normal[r] = n.momentum;
-      below[r] = n.momentum + (pressure(hl, gl) - pressure(over_l, gl));
-      above[r] = n.momentum + (pressure(hr, gr) - pressure(over_r, gr));
-      below[r] += foot(hl, over_l, un_hi[l], weight[i], deep[i]);
+      double push_l = 0, push_r = 0;
+      if constexpr (relief) {
+        push_l = (pressure(hl, gl) - pressure(over_l, gl)) + foot(hl, over_l, un_hi[l], weight[i], deep[i]);
+        push_r = (pressure(hr, gr) - pressure(over_r, gr));
+      }
+      below[r] = n.momentum + push_l;
+      above[r] = n.momentum + push_r;
     }
   }
+}
+
+}  // namespace
+
+void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
+  b.relief ? fluxes<true>(b, axis, w, f) : fluxes<false>(b, axis, w, f);
 }
 
 void bed_source(const Block& b, const Axis& axis, const FaceValues& f) {
