@@ -21,8 +21,7 @@ void FlowModel::advance_to(double t_end) {
     if (dt < least_step * span) fail_step(dt);
     if (left <= dt) {
       step(left);
-      // A step that would have overdrawn a cell was taken at half its length: then this is not the end yet.
-      if (t_end - time() < 0.25 * left) set_time(t_end);
+      if (t_end - time() < 1e-9 * left) set_time(t_end);  // it may have been cut shorter
     } else {
       step(std::min(dt, 0.5 * left));  // no splinter of a last step
     }

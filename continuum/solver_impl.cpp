@@ -72,21 +72,26 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
 void Solver::Impl::step(double dt) {
   if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
   dt = std::min(dt, stable_dt());
+  double row = next_row(settings.sides[0], time);
+  for (const Side& side : settings.sides) row = std::min(row, next_row(side, time));
+  double end = row - time <= dt ? row : time + dt;
+  dt = std::min(dt, row - time);
   for (int halvings = 0;; ++halvings) {
     zone.limit(dt, std::ldexp(0.5, -halvings), [&](int i, int j) { return get(i, j).h; });
     choose_blocks(false);
     run(StageName::predictor, dt);
     choose_blocks(true);
-    fill_ghosts(time + dt);
+    fill_ghosts(end, Moment::before);
     run(StageName::corrector, dt);
     if (!negative()) break;
     if (halvings == most_halvings) fail_negative(dt);
     go_back();
     dt *= 0.5;
+    end = time + dt;
   }
   collect_tallies();
   count_zone(dt);
-  time += dt;
+  time = end;
   ++steps;
   rate.reset();
 }
@@ -139,11 +144,11 @@ void Solver::Impl::choose_blocks(bool corrector) {
   }
 }
 
-void Solver::Impl::fill_ghosts(double at) {
-  ghosts.set_time(at);
+void Solver::Impl::fill_ghosts(double at, Moment moment) {
+  ghosts.set_time(at, moment);
   for (int side = 0; side < 4; ++side) {
     const Side& s = settings.sides[side];
-    parameters.shut[side] = s.kind == Side::Kind::inflow && inflow_at(s, at).depth == 0;
+    parameters.shut[side] = s.kind == Side::Kind::inflow && inflow_at(s, at, moment).depth == 0;
   }
   const int n = static_cast<int>(chosen.size());
 #pragma omp parallel for num_threads(settings.threads) schedule(static)

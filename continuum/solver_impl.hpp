@@ -33,7 +33,7 @@ struct Solver::Impl {
   double stable_dt();
   void refresh();                      // choose blocks, fill ghosts, find the signal rate, if the state has changed
   void choose_blocks(bool corrector);  // those with material in them or beside them
-  void fill_ghosts(double at);         // with the inflows of this time [s]
+  void fill_ghosts(double at, Moment = Moment::after);  // with the inflows of this time [s]
   void run(StageName, double dt);
   bool negative() const;  // some depth of this step fell below zero
   void go_back();         // to the start of the step

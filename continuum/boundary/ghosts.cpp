@@ -108,9 +108,9 @@ void Ghosts::extend(Mesh& mesh) const {
   }
 }
 
-void Ghosts::set_time(double time) {
+void Ghosts::set_time(double time, Moment moment) {
   for (int side = 0; side < 4; ++side) {
-    const InflowPoint p = inflow_at(sides_[side], time);
+    const InflowPoint p = inflow_at(sides_[side], time, moment);
     const double inward = (side % 2 == 0 ? 1 : -1) * p.depth * p.velocity;
     inflow_[side] = {p.depth, side < 2 ? inward : 0.0, side < 2 ? 0.0 : inward};
   }

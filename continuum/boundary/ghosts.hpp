@@ -22,8 +22,8 @@ class Ghosts {
 
   // Terrain in the ghosts; once.
   void extend(Mesh&) const;
-  // The time [s] at which inflows are taken by fill(); before the first call: 0.
-  void set_time(double time);
+  // The time [s] at which fill() takes the inflows; before the first call: 0.
+  void set_time(double time, Moment = Moment::after);
   // State in the ghosts of one block, from the interiors of the others.
   void fill(std::vector<BlockState>&, int block) const;
   // Open or covered, in the ghosts of one block.

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace couloir {
 
-InflowPoint inflow_at(const Side& side, double time) {
+InflowPoint inflow_at(const Side& side, double time, Moment moment) {
   if (side.kind != Side::Kind::inflow) return {time, 0, 0};
   const std::vector<InflowPoint>& points = side.hydrograph;
   if (points.empty()) return {time, side.depth, side.velocity};
   if (time < points.front().time || time > points.back().time) return {time, 0, 0};
+  if (time == (moment == Moment::before ? points.front() : points.back()).time) return {time, 0, 0};
   const auto after = std::find_if(points.begin(), points.end(), [&](const InflowPoint& p) { return p.time >= time; });
   if (after->time == time) return *after;
   const InflowPoint& before = *(after - 1);
@@ -17,11 +19,19 @@ InflowPoint inflow_at(const Side& side, double time) {
   return {time, (1 - w) * before.depth + w * after->depth, (1 - w) * before.velocity + w * after->velocity};
 }
 
+double next_row(const Side& side, double time) {
+  double next = std::numeric_limits<double>::infinity();
+  if (side.kind != Side::Kind::inflow) return next;
+  for (const InflowPoint& p : side.hydrograph)
+    if (p.time > time) next = std::min(next, p.time);
+  return next;
+}
+
 double fastest_inflow(const Side& side, double gravity, double time) {
   const auto signal = [&](const InflowPoint& p) { return p.depth > 0 ? p.velocity + std::sqrt(gravity * p.depth) : 0.0; };
   double fastest = signal(inflow_at(side, time));
   for (const InflowPoint& p : side.hydrograph)
-    if (p.time >= time) fastest = std::max(fastest, signal(p));  // sqrt is concave: between two points it may be a little more
+    if (p.time > time) fastest = std::max(fastest, signal(p));  // sqrt is concave: between two points it may be a little more
   return fastest;
 }
 

@@ -21,8 +21,14 @@ struct Side {
       hydrograph{};  // inflow only, instead of both: linear between its points, nothing before and after them
 };
 
+// A hydrograph jumps at its first and its last row: what it is just before a time, or from it on.
+enum class Moment { before, after };
+
 // What comes in at a time [s]; its time is that time. Nothing: depth and velocity 0.
-InflowPoint inflow_at(const Side&, double time);
+InflowPoint inflow_at(const Side&, double time, Moment = Moment::after);
+
+// [s] the first row of a hydrograph after a time; infinity where there is none. No step should reach over it.
+double next_row(const Side&, double time);
 
 // [m/s] the greatest velocity + sqrt(g h) of an inflow from a time on; 0 where nothing more comes.
 double fastest_inflow(const Side&, double gravity, double time);

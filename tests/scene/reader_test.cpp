@@ -101,7 +101,8 @@ TEST_F(Reader, SaysWhatIsWrongWithAnInflow) {
   EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[0, 0, 1]]}"), HasSubstr("give at least 2"));
   EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[0, -1 mm, 1], [1 s, 0, 1]]}"), HasSubstr("out of bounds"));
   EXPECT_THAT(with("{kind: silo, gate: 3 mm}"), HasSubstr("too narrow for grains of 4 mm"));
-  EXPECT_THAT(with("{gate: 3 mm}"), HasSubstr("gate does not belong to kind 'uniform'; it is for silo"));
+  EXPECT_THAT(with("{depth: 1 cm, velocity: 1, gate: 3 mm}"),
+              HasSubstr("gate does not belong to kind 'uniform'; it is for silo"));
   EXPECT_THAT(error(good_scene, {{"release", "{kind: none}"}}), HasSubstr("boundaries.upstream is no inflow"));
   EXPECT_THAT(error(good_scene, {{"record.gauges", "{far: {position: [3 m, 0]}}"}}), HasSubstr("outside of the domain"));
 }
