@@ -26,7 +26,7 @@ constexpr double dry_share = 1e-6;
 double greatest_depth(const Scene& scene) {
   double depth = deepest(scene);
   for (const SideSpec& side : scene.sides) {
-    if (side.kind == SideSpec::Kind::inflow) depth = std::max(depth, side.depth);
+    if (side.kind == SideSpec::Kind::inflow) depth = std::max(depth, greatest_inflow(scene, side).depth);
   }
   return depth;
 }

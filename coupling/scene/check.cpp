@@ -68,7 +68,7 @@ struct Checker {
     const double radius = t.arc / t.angle;
     double depth = deepest(scene);
     for (const SideSpec& side : scene.sides) {
-      if (side.kind == SideSpec::Kind::inflow) depth = std::max(depth, side.depth);
+      if (side.kind == SideSpec::Kind::inflow) depth = std::max(depth, greatest_inflow(scene, side).depth);
     }
     const Footprint f = release_footprint(scene);
     const bool on_arc = f.x1 > t.slope + room() && f.x0 < t.slope + t.arc - room();

@@ -51,7 +51,7 @@ TYPED_TEST(DamBreak, OnAnInclineWithFriction) {
   const double zeta = degrees(30), mu = std::tan(degrees(22)), g = 9.81 * std::cos(zeta), m = g * (std::tan(zeta) - mu);
   const std::string name = "dam break on an incline, zeta 30, delta 22";
   Study depth("d", name, "h [m], L1"), momentum("d", name, "hu [m2/s], L1");
-  for (int n : {100, 200, 400, 800}) {
+  for (int n : {200, 400, 800}) {  // at 100 the front, whose depth goes as the square of its distance, is a few cells long
     SolverSettings settings = row<TypeParam>(n, -2, 4, Side::Kind::outflow);
     settings.closure.tan_delta = mu;
     auto s = TypeParam::make(settings, ReferenceSurface::incline(zeta, 4));
