@@ -8,6 +8,7 @@
 
 namespace couloir {
 
+using noc::length;
 using noc::Push;
 using noc::share;
 using noc::share_depth;
@@ -101,7 +102,7 @@ bool NocSolver::Impl::counted(int i, int j) const {
 
 NocSolver::Impl::Settled NocSolver::Impl::settle(double h, double hu, double hv, const Push& all, double reach, bool held) const {
   Settled s;
-  const double momentum = std::hypot(hu, hv);
+  const double momentum = length(hu, hv);
   if (!held && momentum > all.brake) {
     // As (3.10) has it; and no larger than what it brakes, so that nothing is turned round.
     s.hu = hu - (all.along_x + all.still * (hu / momentum));
@@ -111,7 +112,7 @@ NocSolver::Impl::Settled NocSolver::Impl::settle(double h, double hu, double hv,
   if (h < settings.dry_depth) {
     s.cutoff = {-s.hu, -s.hv};
     s.hu = s.hv = 0;
-  } else if (const double speed = std::hypot(s.hu, s.hv) / h; speed > reach) {
+  } else if (const double speed = length(s.hu, s.hv) / h; speed > reach) {
     const double lost = reach / speed - 1;
     s.cutoff = {lost * s.hu, lost * s.hv};
     s.hu += s.cutoff[0], s.hv += s.cutoff[1];

@@ -8,13 +8,6 @@
 #include "continuum/noc/slopes.hpp"
 
 namespace couloir::noc {
-namespace {
-
-// Froude number below which a cell counts as at rest in (2.85), (2.86). Without it the jump of K between its two states keeps a
-// deposit trembling for ever; from 0.1 to 0.5 all piles of tests/noc come to rest.
-constexpr double creeping_froude = 0.2;
-
-}  // namespace
 
 Lattice::Lattice(Kind kind, const SolverSettings& s, const Terrain& terrain)
     : kind_(kind),
@@ -75,7 +68,7 @@ double Lattice::find_state(const CellBox& box) {
       };
       const double du = difference(u_, 1), dv = difference(v_, r);
       // What hardly moves is as good as at rest, and what rests is active.
-      const double wave = weight_[i] * q.h[c], slowest = creeping_froude * creeping_froude * wave;
+      const double wave = weight_[i] * q.h[c], slowest = s_.creeping_froude * s_.creeping_froude * wave;
       const bool slow = u_[c] * u_[c] + v_[c] * v_[c] < slowest;
       kx_[c] = k.kx(slow ? 0.0 : du);
       ky_[c] = k.ky(slow ? 0.0 : du, slow ? 0.0 : dv);
@@ -134,7 +127,7 @@ void Lattice::predict(Point& p, int i, int j, int c, double tau) const {
   const double weight = weight_[i], gx = kx_[c] * weight, gy = ky_[c] * weight;
   const Gradient bed = bed_slope(i, j);
   const double pull_x = drive_[i] - weight * bed.x, pull_y = -weight * bed.y;
-  p.reach = std::hypot(u, v) + 2 * std::sqrt(std::max(gx, gy) * h) + tau * std::hypot(pull_x, pull_y);
+  p.reach = length(u, v) + 2 * std::sqrt(std::max(gx, gy) * h) + tau * length(pull_x, pull_y);
 
   if (!locked[c]) {
     const double ax = 2 * tau / s_.grid.dx, ay = 2 * tau / s_.grid.dy;  // tau/2 times four quarters by the spacing
@@ -145,9 +138,9 @@ void Lattice::predict(Point& p, int i, int j, int c, double tau) const {
     const double hu = p.q.hu - (ax * fx + ay * gx_y) + 0.5 * tau * h * pull_x;
     const double hv = p.q.hv - (ax * fy_x + ay * gy_y) + 0.5 * tau * h * pull_y;
     const double capacity = coulomb_capacity(0.5 * tau, s_.closure.tan_delta, weight, kappa_[i], u, h);
-    const double left = coulomb_factor(std::hypot(hu, hv), capacity);
+    const double left = coulomb_factor(length(hu, hv), capacity);
     p.half.hu = left * hu, p.half.hv = left * hv;
-    const double speed = std::hypot(p.half.hu, p.half.hv);
+    const double speed = length(p.half.hu, p.half.hv);
     if (p.half.h < s_.dry_depth) p.half.hu = p.half.hv = 0;
     if (speed > p.reach * p.half.h && speed > 0) {
       const double fit = p.reach * p.half.h / speed;

@@ -6,6 +6,7 @@
 //   +---+---+
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "continuum/flow/closure.hpp"
@@ -14,6 +15,11 @@
 #include "continuum/noc/terrain.hpp"
 
 namespace couloir::noc {
+
+// std::hypot guards against overflow at many times the cost.
+inline double length(double x, double y) {
+  return std::sqrt(x * x + y * y);
+}
 
 // What a point holds and how it will share it out in the next half step.
 struct Point {

@@ -26,6 +26,7 @@ void check(const SolverSettings& s, const ReferenceSurface& surface) {
           "The CFL number of the scheme noc must be above 0 and at most 0.5, equation (3.22); lower continuum.cfl.");
   require(s.dry_depth > 0, "The dry depth must be positive; correct the settings.");
   require(s.threads >= 1, "The continuum needs at least one thread; correct the number of threads.");
+  require(s.creeping_froude >= 0, "The Froude number of creep must not be negative; correct the settings.");
   require(s.closure.tan_delta >= 0, "The basal friction must not be negative; correct the material.");
   require(!(surface.curved() && s.sides[0].kind == Side::Kind::periodic),
           "A surface with an arc cannot be periodic along the slope; choose other sides upstream and downstream.");

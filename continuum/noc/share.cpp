@@ -26,7 +26,7 @@ Push push(const Point& p, const Terrain& t, int k, int l, double cx, double cy, 
   double u = 0, v = 0, speed = 0;
   if (h >= dry_depth) {
     u = (p.half.hu + cx * p.x.hu + cy * p.y.hu) / h, v = (p.half.hv + cx * p.x.hv + cy * p.y.hv) / h;
-    speed = std::hypot(u, v);
+    speed = length(u, v);
     if (speed > p.reach) {
       const double fit = p.reach / speed;
       u *= fit, v *= fit, speed = p.reach;

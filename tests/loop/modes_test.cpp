@@ -56,6 +56,23 @@ TEST(Modes, AFlowThatNeverComesNearStartsNoEngine) {
   EXPECT_EQ(run.windows.back().engine_steps, 0);
 }
 
+TEST(Modes, ContinuumRunsEitherScheme) {
+  for (const char* scheme : {"central_upwind", "noc"}) {
+    const Watched run = watch(small_scene("continuum", {{"continuum.scheme", scheme}, {"obstacles", "{}"}, {"grains", "{}"}}),
+                              options_in(fresh_folder(scheme)));
+    EXPECT_EQ(run.end.status, "done");
+    ASSERT_FALSE(run.windows.empty());
+    double residual = 0;
+    for (const WindowReport& w : run.windows) {
+      ASSERT_LE(w.mass.relative_error(), 1e-12) << scheme << " at " << w.time;
+      if (w.momentum.scale > 0) residual = std::max(residual, std::abs(w.momentum.residual) / w.momentum.scale);
+    }
+    EXPECT_LT(residual, 1e-12) << scheme;
+    EXPECT_GT(run.windows.back().max_speed, 1) << scheme;
+    EXPECT_GE(run.windows.back().min_depth, 0) << scheme;
+  }
+}
+
 TEST(Modes, GrainsKeepMassAndMomentum) {
   const Watched run = watch(small_scene("grains"), options_in(fresh_folder("grains")));
   double left = 0, left_before = 0;

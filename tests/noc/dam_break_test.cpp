@@ -22,8 +22,6 @@ TEST(NocDamBreak, RitterConvergesOnADryBed) {
       const NocSolver s = dam_break(n, 0, 0.3, limiter);
       EXPECT_GE(s.min_depth(), 0);
       EXPECT_EQ(s.budget().mass_clipped, 0);
-      std::printf("  n %d: limited %ld of %ld, steps %ld, cutoff %.2e\n", n, s.limited(), s.cell_updates(), s.steps(),
-                  s.budget().cutoff[0] / s.momentum()[0]);
       return depth_error(s, [](double x) { return exact::dam_break_dry(x, 0.3, 0.1, 9.81).h; });
     };
     const double e100 = error(100), e200 = error(200), e400 = error(400), e800 = error(800);

@@ -114,7 +114,8 @@ TEST(NocSlab, SlidesToRoundOffAndStops) {
   }
 }
 
-// Spreads while it slides, hydraulic: 35 deg, delta 25 deg (references 2b).
+// Spreads while it slides: 35 deg, delta 25 deg (references 2b). With the literal switch between active and passive (2.85) the
+// error does not fall: a known fault of that switch, which is not this scheme's to cure.
 TEST(NocCap, SpreadsAsSavageAndHutter) {
   const double zeta = degrees(35), mu = std::tan(degrees(25)), weight = 9.81 * std::cos(zeta);
   const auto run = [&](int n, bool hydraulic) {
@@ -127,10 +128,17 @@ TEST(NocCap, SpreadsAsSavageAndHutter) {
     solver.advance_to(t);
     return depth_error(solver, [&](double x) { return cap.depth(x - centre, g); });
   };
+  const double volume = 0.4 * 0.05 * 4 / 3;
   for (bool hydraulic : {true, false}) {
     const double e150 = run(150, hydraulic), e300 = run(300, hydraulic), e600 = run(600, hydraulic);
     std::printf("noc cap, hydraulic %d: L1 %.3e %.3e %.3e, orders %.2f %.2f\n", hydraulic, e150, e300, e600, order(e150, e300),
                 order(e300, e600));
+    if (hydraulic) {
+      EXPECT_GT(order(e150, e600, 4), 1.2);
+      EXPECT_LT(e600, 0.002 * volume);
+    } else {
+      EXPECT_LT(e600, volume);
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "coupling/plan/build.hpp"
 #include "plan_scenes.hpp"
 
 namespace couloir {
@@ -31,6 +32,17 @@ TEST(Plan, OfTheWall) {
   EXPECT_GT(plan.memory, 1e7);
   EXPECT_DOUBLE_EQ(plan.time, plan.time_continuum + plan.time_engine);
   EXPECT_THAT(plan.warnings, Contains(HasSubstr("0.445 is above 0.4")));
+}
+
+TEST(Plan, SaysTheScheme) {
+  const Overrides noc = {{"mode", "continuum"}, {"continuum.scheme", "noc"}, {"continuum.limiter", "eno"}, {"obstacles", "{}"}};
+  const Plan plan = make_plan(experiment("chiou_wall", noc));
+  EXPECT_THAT(plan_text(plan), HasSubstr("scheme     noc, limiter eno\n"));
+  EXPECT_EQ(plan_json(plan)["continuum"]["scheme"], "noc");
+  EXPECT_EQ(solver_settings(experiment("chiou_wall", noc)).limiter, Limiter::eno);
+  const Plan upwind = make_plan(experiment("chiou_wall", {{"mode", "continuum"}, {"obstacles", "{}"}}));
+  EXPECT_THAT(plan_text(upwind), HasSubstr("scheme     central_upwind, limiter minmod\n"));
+  EXPECT_DOUBLE_EQ(plan.dt, 2 * upwind.dt);  // a step of noc is a pair
 }
 
 TEST(Plan, ContinuumHasNoEngine) {

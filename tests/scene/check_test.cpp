@@ -13,6 +13,27 @@ TEST_F(Check, PassesAGoodScene) {
   EXPECT_EQ(error(good_scene), "");
 }
 
+TEST_F(Check, NocIsForTheContinuumAloneAndHasNoSteps) {
+  EXPECT_EQ(error(good_scene, {{"continuum.scheme", "noc"}}),
+            "--set continuum.scheme: continuum.scheme is noc, which runs in mode continuum only: it has no zone for grains; use "
+            "central_upwind, or mode: continuum");
+  EXPECT_EQ(
+      error(good_scene, {{"continuum.scheme", "noc"}, {"mode", "continuum"}}),
+      "scene.yaml:6: obstacles.wall is a step of the bed, which scheme noc cannot have: it knows obstacles by the bed's slope "
+      "alone; use method: elevation, or continuum.scheme: central_upwind");
+  EXPECT_EQ(error(good_scene, {{"continuum.scheme", "noc"}, {"mode", "continuum"}, {"obstacles", "{}"}}), "");
+  EXPECT_THAT(error(good_scene, {{"continuum.cfl", "0.6"}}), testing::HasSubstr("continuum.cfl"));
+}
+
+TEST_F(Check, EnoIsForNocAlone) {
+  EXPECT_EQ(error(good_scene, {{"continuum.limiter", "eno"}}),
+            "--set continuum.limiter: continuum.limiter is eno, which scheme central_upwind does not have; use scheme: noc, or "
+            "another limiter");
+  EXPECT_EQ(
+      error(good_scene, {{"continuum.limiter", "eno"}, {"continuum.scheme", "noc"}, {"mode", "continuum"}, {"obstacles", "{}"}}),
+      "");
+}
+
 TEST_F(Check, ObstacleInTheDomain) {
   EXPECT_EQ(error(replaced(good_scene, "[1.2 m, 0]", "[1.99 m, 0]")),
             "scene.yaml:6: obstacles.wall covers x from 1.99 m to 2.01 m and y from -50 mm to 50 mm, which reaches out of the "
