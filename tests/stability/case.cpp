@@ -15,10 +15,10 @@ bool Case::has(Side::Kind kind) const {
   return std::ranges::any_of(settings.sides, [&](const Side& s) { return s.kind == kind; });
 }
 
-Solver Case::build(const Subject& subject) const {
-  Solver solver = subject.make(settings, surface(), bed);
+std::unique_ptr<FlowModel> Case::build(const Subject& subject) const {
+  auto solver = subject.make(settings, surface(), bed);
   for (int j = 0; j < grid().ny; ++j) {
-    for (int i = 0; i < grid().nx; ++i) solver.set(i, j, start[std::size_t(j) * grid().nx + i]);
+    for (int i = 0; i < grid().nx; ++i) solver->set(i, j, start[std::size_t(j) * grid().nx + i]);
   }
   return solver;
 }

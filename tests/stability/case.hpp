@@ -25,7 +25,7 @@ struct Case {
       for (int i = 0; i < grid().nx; ++i) start.push_back(state(grid().x(i), grid().y(j)));
     }
   }
-  Solver build(const Subject&) const;
+  std::unique_ptr<FlowModel> build(const Subject&) const;
 };
 
 // A frictionless K = 1 channel or basin on a plane: walls all round, y from -width/2, dry.

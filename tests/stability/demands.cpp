@@ -18,7 +18,7 @@ void Worst::take(const Worst& w) {
   finite = finite && w.finite;
 }
 
-Demands::Demands(const Case& c, Solver& solver) : case_(c), solver_(solver) {
+Demands::Demands(const Case& c, FlowModel& solver) : case_(c), solver_(solver) {
   const Grid& g = c.grid();
   const EarthPressure& k = c.settings.closure.earth_pressure;
   k0_ = std::max(1.0, k.x_active);
@@ -189,7 +189,7 @@ void Demands::expect(const std::string& what) {
   report->cases[name.substr(0, name.find('/'))].take(worst_);
 }
 
-bool same_mirrored(const Solver& a, const Solver& b) {
+bool same_mirrored(const FlowModel& a, const FlowModel& b) {
   const Grid& g = a.grid();
   std::vector<double> h, hu, hv, mh, mhu, mhv;
   a.gather(h, hu, hv);

@@ -30,7 +30,7 @@ constexpr double stiffest = 20;
 
 class Demands {
  public:
-  Demands(const Case&, Solver&);
+  Demands(const Case&, FlowModel&);
   void step(double dt);  // steps the solver, then looks
   void run(int steps);   // that many stable steps
   const Worst& worst() const { return worst_; }
@@ -43,7 +43,7 @@ class Demands {
   double supply() const;
 
   const Case& case_;
-  Solver& solver_;
+  FlowModel& solver_;
   bool has_energy_;
   double k0_, k_most_;
   std::vector<double> height_;        // of the reference surface by column, from its lowest [m]
@@ -57,6 +57,6 @@ class Demands {
 };
 
 // Whether the twin, run on the mirrored case, has the mirrored bits.
-bool same_mirrored(const Solver&, const Solver& twin);
+bool same_mirrored(const FlowModel&, const FlowModel& twin);
 
 }  // namespace couloir::test

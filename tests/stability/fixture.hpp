@@ -13,14 +13,21 @@ namespace couloir::test {
 class Stability : public testing::TestWithParam<Subject> {
  protected:
   // Runs that many steps, expects all demands, and gives the end.
-  Solver run(const Case& c, int steps, const std::string& what = "") const {
-    Solver solver = c.build(GetParam());
-    Demands demands(c, solver);
+  std::unique_ptr<FlowModel> run(const Case& c, int steps, const std::string& what = "") const {
+    auto solver = c.build(GetParam());
+    Demands demands(c, *solver);
     demands.run(steps);
     demands.expect(what);
     return solver;
   }
 };
+
+// The whole state, to compare bit by bit.
+inline Bits bits_of(const FlowModel& s) {
+  Bits b;
+  s.gather(b.h, b.hu, b.hv);
+  return b;
+}
 
 inline std::string subject_name(const testing::TestParamInfo<Subject>& info) {
   return info.param.name;

@@ -10,7 +10,7 @@ constexpr int many = 100000;
 class Long : public Stability {
  protected:
   // Steps without looking, then looks every thousand.
-  static void run_long(Demands& demands, Solver& solver) {
+  static void run_long(Demands& demands, FlowModel& solver) {
     for (int k = 0; k < many / 1000; ++k) {
       for (int n = 1; n < 1000; ++n) solver.step(solver.stable_dt());
       demands.step(solver.stable_dt());
@@ -27,15 +27,16 @@ TEST_P(Long, AtRestNothingCreeps) {
     const double h = 1e-9 + heap(x - 0.5, y, 0.1, 0.2);
     return FlowState{h, 2 * h, 0};
   });
-  Solver solver = c.build(GetParam());
+  const auto flow = c.build(GetParam());
+  FlowModel& solver = *flow;
   Demands demands(c, solver);
   solver.advance_to(5);
   ASSERT_EQ(solver.max_speed(), 0);
-  const Bits rest = bits(solver);
+  const Bits rest = bits_of(solver);
   const auto steps = solver.steps();
   run_long(demands, solver);
   EXPECT_GE(solver.steps() - steps, many);
-  EXPECT_EQ(bits(solver), rest);
+  EXPECT_EQ(bits_of(solver), rest);
   demands.expect("");
 }
 
@@ -44,7 +45,8 @@ TEST_P(Long, InMotionMassStays) {
   Case c = plane(0, 16, 4, 0.05, 0.05);
   c.bed.obstacles.push_back({"block", 0.3, 0.4, -0.05, 0.05, 0.3});
   c.fill([](double x, double y) { return FlowState{0.05 + (x > 0.5 ? 0.1 : 0.0) + (y > 0 ? 0.02 : 0.0), 0, 0}; });
-  Solver solver = c.build(GetParam());
+  const auto flow = c.build(GetParam());
+  FlowModel& solver = *flow;
   Demands demands(c, solver);
   run_long(demands, solver);
   EXPECT_EQ(solver.steps(), many);
@@ -60,7 +62,8 @@ TEST_P(Long, DownAPeriodicSlopeMassStays) {
     const double h = x < 0.5 ? 0.05 : 0.0;
     return FlowState{h, 2 * h, 0.1 * h};
   });
-  Solver solver = c.build(GetParam());
+  const auto flow = c.build(GetParam());
+  FlowModel& solver = *flow;
   Demands demands(c, solver);
   run_long(demands, solver);
   EXPECT_GT(solver.max_speed(), 0.1);

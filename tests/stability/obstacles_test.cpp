@@ -43,7 +43,8 @@ TEST_P(Obstacles, StepsAHundredTimesTheDepth) {
   for (double times : {1.0, 10.0, 100.0}) {
     Case c = chute(60, 20, 0.02);
     c.bed.obstacles.push_back({"tower", 0.7, 0.8, -0.1, 0.06, 0.08 * times});
-    const Solver solver = run(c, 400, std::to_string(times) + " times");
+    const auto flow = run(c, 400, std::to_string(times) + " times");
+    FlowModel& solver = *flow;
     if (times > 1) {
       for (int i = 35; i < 40; ++i) EXPECT_EQ(solver.at(i, 8).h, 0) << "nothing flows up a tower";
     }
@@ -54,7 +55,8 @@ TEST_P(Obstacles, ReleaseOnTopOfOne) {
   for (double times : {1.0, 100.0}) {
     Case c = chute(60, 20, 0.02);
     c.bed.obstacles.push_back({"shelf", 0.2, 0.4, -0.1, 0.1, 0.08 * times});
-    const Solver solver = run(c, 400, std::to_string(times) + " times");
+    const auto flow = run(c, 400, std::to_string(times) + " times");
+    FlowModel& solver = *flow;
     EXPECT_GT(solver.max_speed(), 0);
   }
 }
@@ -64,7 +66,8 @@ TEST_P(Obstacles, OneCellWide) {
     const double dx = 0x1.4p-6;  // 19.5 mm, short: mirrored cells have mirrored centres
     Case c = chute(61, 21, dx);
     c.bed.obstacles.push_back({"post", 36 * dx, 37 * dx, -0.4 * dx, 0.4 * dx, height});
-    const Solver solver = run(c, 400, "height " + std::to_string(height));
+    const auto flow = run(c, 400, "height " + std::to_string(height));
+    FlowModel& solver = *flow;
     EXPECT_GT(solver.obstacle_impulse(0)[0], 0);
     EXPECT_EQ(solver.obstacle_impulse(0)[1], 0) << "the scene is symmetric to the bit";
   }
@@ -80,7 +83,8 @@ TEST_P(Obstacles, EdgesOnAndOffTheGridLines) {
       const double x0 = 0.7 + (along ? shift : 0), y0 = -0.06 + (along ? 0 : shift);
       c.bed.obstacles.push_back({"block", x0, x0 + 0.06, y0, y0 + 0.12, 1.0});
       const std::string what = "shift " + std::to_string(shift) + (along ? " along" : " across");
-      const Solver solver = run(c, 300, what);
+      const auto flow = run(c, 300, what);
+      FlowModel& solver = *flow;
       int covered = 0;
       for (int j = 0; j < 20; ++j) covered += c.bed.obstacles[0].covers(c.grid().x(36), c.grid().y(j)) ? 1 : 0;
       EXPECT_GE(covered, 6) << what;

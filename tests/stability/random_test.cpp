@@ -22,7 +22,8 @@ void run(const Subject& subject, std::uint64_t seed) {
                            "\n  again: COULOIR_STABILITY_SEED=" + std::to_string(seed) +
                            " build/release/bin/stability_tests --gtest_filter='*Random*'";
   const Case twin_case = mirrored(random.scene);
-  Solver solver = random.scene.build(subject), twin = twin_case.build(subject);
+  const auto flow = random.scene.build(subject), mirrored_flow = twin_case.build(subject);
+  FlowModel &solver = *flow, &twin = *mirrored_flow;
   Demands demands(random.scene, solver);
   ASSERT_NO_THROW(demands.run(random.steps)) << what;
   for (int k = 0; k < solver.steps(); ++k) twin.step(twin.stable_dt());

@@ -3,6 +3,7 @@
 // more entry in subjects().
 
 #include <functional>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -13,12 +14,13 @@ namespace couloir::test {
 
 struct Subject {
   std::string name;
-  std::function<Solver(const SolverSettings&, const ReferenceSurface&, const StepBed&)> make;
+  std::function<std::unique_ptr<FlowModel>(const SolverSettings&, const ReferenceSurface&, const StepBed&)> make;
 };
 
 inline std::vector<Subject> subjects() {
-  return {{"central_upwind",
-           [](const SolverSettings& s, const ReferenceSurface& surface, const StepBed& bed) { return Solver(s, surface, bed); }}};
+  return {{"central_upwind", [](const SolverSettings& s, const ReferenceSurface& surface, const StepBed& bed) {
+             return std::make_unique<Solver>(s, surface, bed);
+           }}};
 }
 
 inline std::ostream& operator<<(std::ostream& out, const Subject& s) {

@@ -18,11 +18,13 @@ class Units : public Stability {
   }
   // Greatest difference of the dimensionless depths and momenta after that many steps.
   double departure(const Case& c, double factor) const {
-    Solver one = c.build(GetParam());
+    const auto first = c.build(GetParam());
+    FlowModel& one = *first;
     const Case other_case = scaled(c, factor);
-    Solver other = other_case.build(GetParam());
+    const auto second = other_case.build(GetParam());
+    FlowModel& other = *second;
     for (int k = 0; k < 200; ++k) one.step(one.stable_dt()), other.step(other.stable_dt());
-    const Bits a = bits(one), b = bits(other);
+    const Bits a = bits_of(one), b = bits_of(other);
     const double momentum = factor * std::sqrt(factor);
     double most = std::abs(other.time() / std::sqrt(factor) - one.time());
     for (std::size_t k = 0; k < a.h.size(); ++k) {
