@@ -5,17 +5,24 @@
 #include <limits>
 
 namespace couloir {
+namespace {
+
+// Times that differ by less are the same: round-off of a clock.
+double slack(double time) {
+  return 1e-12 * std::max(1.0, std::abs(time));
+}
+
+}  // namespace
 
 InflowPoint inflow_at(const Side& side, double time, Moment moment) {
   if (side.kind != Side::Kind::inflow) return {time, 0, 0};
   const std::vector<InflowPoint>& points = side.hydrograph;
   if (points.empty()) return {time, side.depth, side.velocity};
-  if (time < points.front().time || time > points.back().time) return {time, 0, 0};
-  if (time == (moment == Moment::before ? points.front() : points.back()).time) return {time, 0, 0};
-  const auto after = std::find_if(points.begin(), points.end(), [&](const InflowPoint& p) { return p.time >= time; });
-  if (after->time == time) return *after;
+  const double at = time + (moment == Moment::before ? -slack(time) : slack(time));
+  if (at < points.front().time || at > points.back().time) return {time, 0, 0};
+  const auto after = std::find_if(points.begin() + 1, points.end(), [&](const InflowPoint& p) { return p.time >= at; });
   const InflowPoint& before = *(after - 1);
-  const double w = (time - before.time) / (after->time - before.time);
+  const double w = std::clamp((time - before.time) / (after->time - before.time), 0.0, 1.0);
   return {time, (1 - w) * before.depth + w * after->depth, (1 - w) * before.velocity + w * after->velocity};
 }
 
@@ -23,7 +30,7 @@ double next_row(const Side& side, double time) {
   double next = std::numeric_limits<double>::infinity();
   if (side.kind != Side::Kind::inflow) return next;
   for (const InflowPoint& p : side.hydrograph)
-    if (p.time > time) next = std::min(next, p.time);
+    if (p.time > time + slack(time)) next = std::min(next, p.time);
   return next;
 }
 

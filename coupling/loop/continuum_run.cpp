@@ -39,7 +39,7 @@ class ContinuumRun : public ModeRun {
       w.obstacles.push_back(flow_->force(k, w.length));
       w.overtopped += flow_->overtopped(k);
     }
-    for (const GaugeSpec& gauge : scene_.record.gauges) w.gauges.push_back(read_gauge(flow_->solver(), gauge));
+    for (const GaugeSpec& gauge : scene_.record.gauges) w.gauges.push_back(read_gauge(flow_->model(), gauge));
   }
 
   FrameView frame() override { return flow_->frame(); }

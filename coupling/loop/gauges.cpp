@@ -22,13 +22,13 @@ Between between(double at, double origin, double size, int n) {
 
 }  // namespace
 
-GaugeReading read_gauge(const Solver& solver, const GaugeSpec& gauge) {
-  const Grid& g = solver.grid();
+GaugeReading read_gauge(const FlowModel& flow, const GaugeSpec& gauge) {
+  const Grid& g = flow.grid();
   const Between x = between(gauge.x, g.x0, g.dx, g.nx), y = between(gauge.y, g.y0, g.dy, g.ny);
   const auto mix = [](const FlowState& a, const FlowState& b, double w) {
     return FlowState{(1 - w) * a.h + w * b.h, (1 - w) * a.hu + w * b.hu, (1 - w) * a.hv + w * b.hv};
   };
-  const auto along = [&](int j) { return mix(solver.at(x.low, j), solver.at(x.high, j), x.weight); };
+  const auto along = [&](int j) { return mix(flow.at(x.low, j), flow.at(x.high, j), x.weight); };
   const FlowState q = mix(along(y.low), along(y.high), y.weight);
   return q.h > dry ? GaugeReading{q.h, q.hu / q.h, q.hv / q.h} : GaugeReading{q.h, 0, 0};
 }

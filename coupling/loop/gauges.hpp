@@ -1,7 +1,7 @@
 #pragma once
 // Depth and velocity of the flow at a point.
 
-#include "continuum/solver.hpp"
+#include "continuum/flow_model.hpp"
 #include "coupling/loop/observer.hpp"
 #include "coupling/scene/scene.hpp"
 
@@ -9,6 +9,6 @@ namespace couloir {
 
 // Bilinear between the four nearest cell centres (depth and momentum; the velocity is their ratio); beyond the last centres as
 // on them. In a zone the cells hold what the grains are on the mean.
-GaugeReading read_gauge(const Solver&, const GaugeSpec&);
+GaugeReading read_gauge(const FlowModel&, const GaugeSpec&);
 
 }  // namespace couloir

@@ -89,8 +89,8 @@ struct SideSpec {
 
 struct ContinuumSpec {
   std::string scheme = "central_upwind";  // | noc
-  double cell = 0;         // [m]
-  double cell_across = 0;  // [m] 0: as cell
+  double cell = 0;                        // [m]
+  double cell_across = 0;                 // [m] 0: as cell
   double across() const { return cell_across > 0 ? cell_across : cell; }
   double cfl = 0.45;
   std::string closure = "active_passive";  // | hydraulic
