@@ -5,7 +5,9 @@
 //   in scales L (half length), H (height), T = L / sqrt(K g' H):  G'' = 2 / G^2, G(0) = 1, G'(0) = 0,
 //   t = [sqrt(G (G - 1)) + ln(sqrt(G) + sqrt(G - 1))] / 2,  G' = 2 sqrt(1 - 1/G)
 //
-// (references 2b with B = 1). Valid while the cap spreads, K active.
+// (with B = 1). Valid while the cap spreads, K active, and all of it moves down: from rest that needs
+// 2 K H / L <= tan(zeta) - tan(delta). No wave from a front has reached |xi| < L sqrt(G): it runs inward by
+// d(acos(xi / (L G))) / dt = 1 / (T G^1.5), that is acos(xi / (L G)) = atan(sqrt(G - 1)).
 
 #include <cmath>
 

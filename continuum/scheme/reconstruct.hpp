@@ -12,18 +12,21 @@
 
 #include "continuum/scheme/axis.hpp"
 #include "continuum/scheme/limiter.hpp"
+#include "continuum/scheme/parameters.hpp"
 
 namespace couloir {
 
-// A shock: the velocity falls across the cell by more than these shares of the wave speed and of itself.
+// A shock: the velocity falls across the cell by more than these shares of the wave speed and of itself. What runs onto a dry bed
+// is none.
 constexpr double shock_strength = 0.1, shock_share = 0.1;
 
-inline void find_shocks(const Block& b, const Axis& axis, const Fields& q, bool friction, std::vector<double>& smooth) {
-  if (!friction) {
+inline void find_shocks(const Parameters& p, const Block& b, const Axis& axis, const Fields& q, std::vector<double>& smooth) {
+  if (!(p.closure.tan_delta > 0)) {
     std::fill(smooth.begin(), smooth.end(), 1.0);
     return;
   }
   const int step = axis.step;
+  const double dry = p.dry_depth;
   const double *h = q.h.data(), *un = axis.un, *k = axis.k, *weight = b.weight.data() + Block::ghosts;
   double* s = smooth.data();
   for (int j = axis.first_j(); j < axis.faces_j; ++j) {
@@ -33,7 +36,8 @@ inline void find_shocks(const Block& b, const Axis& axis, const Fields& q, bool 
       const int c = row + i;
       const double deepest = std::max(std::max(h[c], 0.0), std::max(h[c - step], h[c + step]));
       const double least = shock_strength * std::sqrt(k[c] * weight[i] * deepest) + shock_share * std::abs(un[c]);
-      s[c] = un[c - step] - un[c + step] > least ? 0.0 : 1.0;
+      const double below = h[c - step] >= dry ? un[c - step] : un[c], above = h[c + step] >= dry ? un[c + step] : un[c];
+      s[c] = below - above > least ? 0.0 : 1.0;
     }
   }
 }

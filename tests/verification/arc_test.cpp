@@ -45,12 +45,14 @@ TYPED_TEST(Arc, SteadyLayer) {
   for (double h : {0.02, 0.001}) {
     const auto reference = chute(h, 3, true);
     const std::string name = "layer of " + std::to_string(static_cast<int>(1000 * h)) + " mm round an arc, zeta 40, delta 20";
-    Study depth("i", name, "h [m], L1"), velocity("i", name, "hu [m2/s], L1");
+    Study depth("i", name, "h [m], L1"), velocity("i", name, "u [m/s], L1");
     for (int n : {75, 150, 300, 600}) {
       const auto s = this->steady(n, reference);
       const auto e = row_error(s, [&](double x) { return reference.at(x); });
       depth.add(n, e.h);
-      velocity.add(n, e.hu);
+      double off = 0;
+      for (int i = 0; i < n; ++i) off += std::abs(s.at(i, 0).hu / s.at(i, 0).h - reference.at(s.grid().x(i)).u) / n;
+      velocity.add(n, off);
       if (n == 75 && h > 0.01) {
         const auto without = chute(h, 3, false);
         std::vector<std::vector<double>> rows;
@@ -62,6 +64,7 @@ TYPED_TEST(Arc, SteadyLayer) {
       }
     }
     depth.expect_order(TypeParam::order_smooth);
+    velocity.expect_order(TypeParam::order_smooth);
   }
 }
 
@@ -74,7 +77,7 @@ TYPED_TEST(Arc, CurvatureAlone) {
     const auto s = this->steady(n, c);
     study.add(n, std::abs(s.at(n - 1, 0).hu / s.at(n - 1, 0).h / (5 * std::exp(-c.mu * degrees(40))) - 1));
   }
-  study.expect_order(TypeParam::order_shock);
+  study.expect_order(TypeParam::order_smooth);
 }
 
 }  // namespace

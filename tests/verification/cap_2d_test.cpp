@@ -36,7 +36,7 @@ TYPED_TEST(Cap2d, SpreadsWithoutFriction) {
   const auto shape = cap.shape(t);
   const std::string name = "elliptic cap, no friction";
   Study whole("c", name, "h [m], L1"), momentum("c", name, "hu, hv [m2/s], L1"),
-      inside("c", name, "h [m], L1 within 0.8 of the half axes");
+      inside("c", name, "h [m], L1 within half of the half axes");
   for (int n : {80, 160, 320}) {
     SolverSettings s;
     const double dx = 1.6 / n;
@@ -54,7 +54,7 @@ TYPED_TEST(Cap2d, SpreadsWithoutFriction) {
         const double miss = std::abs(q.h - h);
         sum += miss;
         sum_q += std::abs(q.hu - h * (cap.velocity(t) + xi * shape.da / shape.a)) + std::abs(q.hv - h * y * shape.db / shape.b);
-        if (std::hypot(xi / shape.a, y / shape.b) < 0.8) in += miss, ++cells;
+        if (std::hypot(xi / shape.a, y / shape.b) < 0.5) in += miss, ++cells;
       }
     }
     whole.add(n, sum / (s.grid.nx * s.grid.ny));
@@ -63,7 +63,7 @@ TYPED_TEST(Cap2d, SpreadsWithoutFriction) {
   }
   whole.expect_order(TypeParam::order_shock);
   momentum.expect_order(TypeParam::order_shock);
-  inside.expect_order(TypeParam::order_shock);
+  inside.expect_order(TypeParam::order_smooth);
 }
 
 // With friction the published solution is itself an approximation (exact/parabolic_cap_2d.hpp): the solver must come near it and
@@ -98,7 +98,7 @@ TYPED_TEST(Cap2d, SpreadsNearlyAsHutterEtAl) {
     peak.add(n, std::abs(most / cap.peak(shape) - 1));
     centre.add(n, std::abs(middle - cap.centre(10)) / shape.a);
   }
-  for (Study* s : {&length, &width, &peak, &centre}) s->expect_below(0.03);
+  for (Study* s : {&length, &width, &peak, &centre}) s->expect_below(0.01);
 }
 
 }  // namespace

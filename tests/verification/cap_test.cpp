@@ -17,17 +17,17 @@ TEST(CapTable, ExactGrowth) {  // references.md 2b
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(cap.growth(t[k]), g[k], 2e-6);
 }
 
-// Spreads while it slides: 35 deg, delta 25 deg, hydraulic or with the active coefficient (the whole cap stretches). The whole
-// cap with its two fronts, and the part clear of them.
+// Spreads while it slides: 35 deg, delta 20 deg, hydraulic or with the active coefficient (the whole cap stretches). Of the whole
+// cap the two fronts are no smoother than a kink. The part that no wave from a front has reached yet is |xi| < L sqrt(G).
 TYPED_TEST(Cap, SpreadsAsSavageAndHutter) {
-  const double zeta = degrees(35), mu = std::tan(degrees(25)), weight = 9.81 * std::cos(zeta), t = 0.8;
+  const double zeta = degrees(35), mu = std::tan(degrees(20)), weight = 9.81 * std::cos(zeta), t = 0.8;
   for (bool hydraulic : {true, false}) {
     const std::string name = std::string("parabolic cap, ") + (hydraulic ? "K = 1" : "K active");
     Study whole("b", name, "h [m], L1"), momentum("b", name, "hu [m2/s], L1"),
-        inside("b", name, "h [m], L1 within 0.8 of the half length");
+        inside("b", name, "h [m], L1 before the fronts' waves");
     for (int n : {150, 300, 600, 1200}) {
       SolverSettings s = row<TypeParam>(n, 0, 3, Side::Kind::outflow);
-      s.closure = {hydraulic ? EarthPressure::hydraulic() : EarthPressure::active_passive(degrees(40), degrees(25)), mu, true};
+      s.closure = {hydraulic ? EarthPressure::hydraulic() : EarthPressure::active_passive(degrees(40), degrees(20)), mu, true};
       const exact::ParabolicCap cap{0.4, 0.05, s.closure.earth_pressure.x_active * weight};
       const double drive = weight * (std::tan(zeta) - mu), centre = 0.6 + 0.5 * drive * t * t, g = cap.growth(t);
       auto solver = TypeParam::make(s, ReferenceSurface::incline(zeta, 3));
@@ -41,11 +41,11 @@ TYPED_TEST(Cap, SpreadsAsSavageAndHutter) {
       const auto e = row_error(solver, exact);
       whole.add(n, e.h);
       momentum.add(n, e.hu);
-      inside.add(n, row_error(solver, exact, [&](double x) { return std::abs(x - centre) < 0.8 * cap.length * g; }).h);
+      inside.add(n, row_error(solver, exact, [&](double x) { return std::abs(x - centre) < 0.8 * cap.length * std::sqrt(g); }).h);
     }
     whole.expect_order(TypeParam::order_shock);
     momentum.expect_order(TypeParam::order_shock);
-    inside.expect_order(TypeParam::order_shock);
+    inside.expect_order(TypeParam::order_smooth);
   }
 }
 

@@ -102,7 +102,7 @@ TYPED_TEST(ObliqueShock, StandsAtTheExactAngle) {
     if (n == 120) record_profile("oblique_shock", "x,y,h", rows);
   }
   l1.expect_order(TypeParam::order_shock);
-  angle.expect_below(0.2);
+  angle.expect_below(0.05);
   place.expect_below(1);
 }
 

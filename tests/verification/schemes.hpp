@@ -11,7 +11,7 @@ namespace couloir::test {
 struct CentralUpwind {
   static constexpr const char* name = "central_upwind";
   static constexpr Limiter plain = Limiter::minmod;     // what runs use by default
-  static constexpr Limiter smooth = Limiter::van_leer;  // for beds with relief, docs/decisions/0006
+  static constexpr Limiter smooth = Limiter::van_leer;  // for beds with relief, docs/decisions/0007
   static constexpr double order_smooth = 1.8, order_shock = 0.9;
   static Solver make(const SolverSettings& s, const ReferenceSurface& surface, const StepBed& bed = {}) {
     return Solver(s, surface, bed);

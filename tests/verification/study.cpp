@@ -69,6 +69,11 @@ void Study::expect_below(double bound) {
   for (const Point& p : points_) EXPECT_LT(p.value, bound) << name_ << ", " << measure_ << " at " << p.cells << " cells";
 }
 
+void Study::expect_zero() {
+  demand_ = "exactly 0";
+  for (const Point& p : points_) EXPECT_EQ(p.value, 0) << name_ << ", " << measure_ << " at " << p.cells << " cells";
+}
+
 void record_profile(const std::string& file, const std::string& header, const std::vector<std::vector<double>>& rows) {
   if (!folder()) return;
   std::ofstream out(std::filesystem::path(folder()) / (file + ".csv"));

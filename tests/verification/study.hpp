@@ -23,6 +23,8 @@ class Study {
   void expect_order(double least);
   // Every value is below this bound.
   void expect_below(double bound);
+  // Every value is 0 to the last bit.
+  void expect_zero();
 
  private:
   struct Point {

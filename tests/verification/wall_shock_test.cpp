@@ -1,8 +1,7 @@
-#include "continuum/exact/normal_shock.hpp"
-
 #include <algorithm>
 
 #include "continuum/exact/depth_velocity.hpp"
+#include "continuum/exact/normal_shock.hpp"
 #include "errors.hpp"
 #include "schemes.hpp"
 #include "study.hpp"
