@@ -84,6 +84,16 @@ bool NocSolver::Impl::on_side(int i, int j) const {
          ((j == 0 || j == g.ny) && settings.sides[2].kind != Side::Kind::periodic);
 }
 
+void NocSolver::Impl::book_side(int i, int j, double x, double y, Budget& book) const {
+  const Grid& g = settings.grid;
+  const bool along = (i == 0 || i == g.nx) && settings.sides[0].kind != Side::Kind::periodic;
+  const bool across = (j == 0 || j == g.ny) && settings.sides[2].kind != Side::Kind::periodic;
+  const int end = i == 0 ? 0 : 1, flank = j == 0 ? 2 : 3;
+  book.boundary[0] += x, book.boundary[1] += y;
+  book.sides[along ? end : flank][0] += x;
+  book.sides[across ? flank : end][1] += y;
+}
+
 bool NocSolver::Impl::on_open_side(int i, int j) const {
   const Grid& g = settings.grid;
   const bool at[] = {i == 0, i == g.nx, j == 0, j == g.ny};
@@ -167,7 +177,7 @@ void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
   book.gravity[0] += in_x, book.gravity[1] += in_y;
   for (int k : {0, 1}) book.friction[k] += portion * s.friction[k], book.cutoff[k] += portion * s.cutoff[k];
   // What a corner on a side got from inside went out; what it gives back comes in with the other half step.
-  if (on_side(i, j)) book.boundary[0] -= in_hu + in_x + taken_x, book.boundary[1] -= in_hv + in_y + taken_y;
+  if (on_side(i, j)) book_side(i, j, -(in_hu + in_x + taken_x), -(in_hv + in_y + taken_y), book);
   sums.note(depth, s.hu, s.hv);
 }
 
@@ -195,7 +205,7 @@ void NocSolver::Impl::update_centre(int i, int j, double tau, RowSums& sums) {
       parts[a][b] = push(p, terrain, 2 * i + a, 2 * j + b, cx, cy, settings.closure.tan_delta, settings.dry_depth, tau);
       reach = std::max(reach, p.reach);
       held = held && corners.locked[n];
-      if (on_side(i + a, j + b)) book.boundary[0] += shares[a][b].hu, book.boundary[1] += shares[a][b].hv;
+      if (on_side(i + a, j + b)) book_side(i + a, j + b, shares[a][b].hu, shares[a][b].hv, book);
     }
   }
   const auto four = [](const auto& value) { return (value(0, 0) + value(0, 1)) + (value(1, 0) + value(1, 1)); };

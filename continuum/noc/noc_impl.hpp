@@ -80,6 +80,8 @@ struct NocSolver::Impl {
   // Friction, film and speed bound on the momentum that the other terms would give.
   Settled settle(double h, double hu, double hv, const noc::Push& all, double reach, bool held) const;
   bool on_side(int i, int j) const;                          // a corner on a side that is not periodic
+  // What came in through a corner on a side; where two sides meet each gets what is normal to it.
+  void book_side(int i, int j, double x, double y, Budget&) const;
   bool on_open_side(int i, int j) const;                     // outflow or inflow
   bool counted(int i, int j) const;                          // false: the periodic twin of another corner
   double share_to_centre(int i, int j, int a, int b) const;  // depth that corner (i + a, j + b) gives back to cell (i, j)

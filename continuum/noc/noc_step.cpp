@@ -140,6 +140,7 @@ void NocSolver::Impl::collect(const std::vector<RowSums>& rows) {
     budget.gravity[k] += area * sum.gravity[k];
     budget.friction[k] += area * sum.friction[k];
     budget.boundary[k] += area * sum.boundary[k];
+    for (int side = 0; side < 4; ++side) budget.sides[side][k] += area * sum.sides[side][k];
     budget.cutoff[k] += area * sum.cutoff[k];
   }
   if (!finite) check_finite();

@@ -7,6 +7,13 @@
 namespace couloir {
 namespace {
 
+// Share in which a rise is a wall to what runs at it: none while the head K h reaches over it, all from twice the head on; and
+// none up to 45 deg, where material runs up as on any slope, all from a slope of 2 on.
+inline double wall_share(double rise, double head, double spacing) {
+  const double above = std::min(std::max(0.0, rise - head) / std::max(head, 1e-300), 1.0);
+  return above * std::min(std::max(0.0, rise / spacing - 1), 1.0);
+}
+
 // What a slope's foot gives to a flow that it cannot hold by pressure: where the bed blocks the way down (h* < h reaches over),
 // the weight of the cell's material asks for a depth of 2 dx tan(zeta); a thinner flow meets a wall there, in proportion. The
 // square keeps the second order where the rise is small.
@@ -22,6 +29,7 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
   FaceFluxes& out = *axis.fluxes;
   const double *h_lo = f.h_lo.data(), *h_hi = f.h_hi.data(), *eta_lo = f.eta_lo.data(), *eta_hi = f.eta_hi.data();
   const double *un_lo = f.un_lo.data(), *un_hi = f.un_hi.data(), *ut_lo = f.ut_lo.data(), *ut_hi = f.ut_hi.data();
+  const double spacing = axis.spacing;
   const double *k = axis.k, *loose = w.loose.data(), *smooth = w.smooth.data();
   double *mass = out.mass.data(), *tangent = out.tangent.data(), *normal = out.normal.data();
   double *below = out.normal_below.data(), *above = out.normal_above.data();
@@ -47,8 +55,12 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
       normal[r] = n.momentum;
       double push_l = 0, push_r = 0;
       if constexpr (relief) {
-        push_l = (pressure(hl, gl) - pressure(over_l, gl)) + foot(hl, over_l, un_hi[l], weight[i], deep[i]);
-        push_r = (pressure(hr, gr) - pressure(over_r, gr));
+        const double zl = eta_hi[l] - hl, zr = eta_lo[r] - hr, sill = std::max(zl, zr);
+        const double turned_l = wall_share(sill - zl, k[l] * hl, spacing) * (wall_flux(hl, un_hi[l], gl) - pressure(hl, gl));
+        const double turned_r = wall_share(sill - zr, k[r] * hr, spacing) * (wall_flux(hr, -un_lo[r], gr) - pressure(hr, gr));
+        const double blocked = foot(hl, over_l, un_hi[l], weight[i], deep[i]);
+        push_l = (pressure(hl, gl) - pressure(over_l, gl)) + (un_hi[l] > 0 ? std::max(turned_l, blocked) : turned_l);
+        push_r = (pressure(hr, gr) - pressure(over_r, gr)) + turned_r;
       }
       below[r] = n.momentum + push_l;
       above[r] = n.momentum + push_r;
@@ -57,6 +69,22 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
 }
 
 }  // namespace
+
+void flatten_at_feet(const Block& b, const Axis& axis, const Fields& q, std::vector<double>& smooth) {
+  const int step = axis.step;
+  const double spacing = axis.spacing;
+  const double *h = q.h.data(), *bed = b.bed.data(), *k = axis.k;
+  double* s = smooth.data();
+  for (int j = axis.first_j(); j < axis.faces_j; ++j) {
+    const int begin = b.at(axis.first_i(), j), end = b.at(axis.faces_i, j);
+#pragma omp simd
+    for (int c = begin; c < end; ++c) {
+      const double lo = bed[c - step] - bed[c], hi = bed[c + step] - bed[c], reach = std::max(k[c] * h[c], spacing);
+      const bool foot = (lo > reach && lo + 2 * hi > 0) || (hi > reach && hi + 2 * lo > 0);
+      s[c] = foot ? 0.0 : s[c];
+    }
+  }
+}
 
 void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
   b.relief ? fluxes<true>(b, axis, w, f) : fluxes<false>(b, axis, w, f);

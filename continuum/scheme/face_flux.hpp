@@ -5,15 +5,23 @@
 //   z* = max(zl, zr),  h* = max(0, h - (z* - z) / K) on each side
 //   normal flux seen from one side = HLL(h*l, h*r) + p(h) - p(h*),   p(h) = K g cos(zeta) h^2 / 2
 //
+// plus, on a side where the bed rises steeply above all that the head reaches, what a wall turns back beyond p(h) (wall_flux()).
+//
 // What balances is K h + z_b, since the bed's push in (2.91), (2.92) carries no K: for a small rise p(h) - p(h*) is
 // g cos(zeta) h (z* - z), and against a wall that nothing passes it is all of the pressure p(h), never more.
 //
 // A film whose way down the slope is blocked by the bed meets a wall there: else the slope's drive, which no pressure of a film
 // balances, would give it speed without end.
 
+#include <vector>
+
 #include "continuum/scheme/axis.hpp"
 
 namespace couloir {
+
+// No slopes in a cell at the foot of a wall, where the bed rises steeply above the head on one side and does not fall half as
+// steeply on the other: what lies behind such a rise says nothing of the surface before it.
+void flatten_at_feet(const Block&, const Axis&, const Fields&, std::vector<double>& smooth);
 
 // Between two locked cells the mass flux is exactly zero.
 void face_fluxes(const Block&, const Axis&, const Scratch&, const FaceValues&);

@@ -14,6 +14,7 @@ namespace {
 void fluxes_along(const Axis& axis, const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone,
                   const BlockState& s, Scratch& w) {
   find_shocks(p, b, axis, s.now, w.smooth);
+  if (b.relief) flatten_at_feet(b, axis, s.now, w.smooth);
   with_limiter(p.limiter, [&](auto limiter) { reconstruct_all<decltype(limiter)>(b, axis, s.now, w, w.values); });
   flatten_at_steps(faces.steps, b, s.now, w, axis, w.values);
   face_fluxes(b, axis, w, w.values);

@@ -42,6 +42,7 @@ class CoupledRun : public ModeRun {
     begin.grid = grid;
     begin.bed = flow_->bed();
     begin.obstacles = obstacle_names(scene_);
+    begin.measures = measures_ = flow_->measure(scene_, surface_, settings_.box);
     begin.effects = make_plan(scene_).effects;
     begin.bulk_density = flow_->density();
     return begin;
@@ -121,6 +122,7 @@ class CoupledRun : public ModeRun {
     }
     double momentum = flow_->momentum();
     if (zone_) {
+      grains_->add_wall_forces(measures_, w.measures);
       const Advanced& a = grains_->last();
       grain_mass_ = zone_->grains_mass(a.grains);
       const double grain_momentum = zone_->grains_momentum(a.grains), faces_momentum = zone_->faces_momentum();
@@ -185,6 +187,7 @@ class CoupledRun : public ModeRun {
   ZoneSettings settings_;
   ZoneBox box_;
   std::vector<NewGrain> first_;
+  std::vector<ForceMeasure> measures_;
   MomentumBook book_;
   double grain_mass_ = 0, grain_momentum_ = 0, left_momentum_ = 0;
   bool flow_momentum_jump_ = false;

@@ -1,5 +1,6 @@
 #include "coupling/loop/flow_side.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupling/loop/mode_run.hpp"
@@ -23,16 +24,10 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
 
   bed_.assign(std::size_t(grid.nx) * grid.ny, 0.0);
   if (!bed.elevation.empty()) bed_ = bed.elevation;
-  for (const StepObstacle& o : bed.obstacles) {
-    CellBox box{grid.nx, 0, grid.ny, 0};
-    for (int j = 0; j < grid.ny; ++j)
-      for (int i = 0; i < grid.nx; ++i)
-        if (o.covers(grid.x(i), grid.y(j))) {
-          bed_[std::size_t(j) * grid.nx + i] += o.height;
-          box = {std::min(box.i0, i), std::max(box.i1, i + 1), std::min(box.j0, j), std::max(box.j1, j + 1)};
-        }
-    footprint_.push_back(box);
-    gauge_.push_back(model_->add_gauge((box.i0 + box.i1 + 1) / 2, box.j0, box.j1));
+  for (std::size_t n = 0; n < scene.obstacles.size(); ++n) {
+    const ObstacleSpec& o = scene.obstacles[n];
+    lay_top(o, int(n), bed);
+    gauge_.push_back(add_gauge(o));
     impulse_.push_back({0, 0});
   }
 
@@ -48,6 +43,43 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
   }
   initial_mass_ = density_ * model_->volume();
   momentum_before_ = momentum();
+}
+
+// The top of a step is its footprint; that of a smooth body are its highest cells: a plateau, or the cells around a peak.
+void FlowSide::lay_top(const ObstacleSpec& o, int id, const StepBed& bed) {
+  const Grid& grid = model_->grid();
+  const auto at = [&](int i, int j) { return std::size_t(j) * grid.nx + i; };
+  const bool smooth = o.method == ObstacleSpec::Method::elevation;
+  double highest = 0;
+  for (std::size_t c = 0; smooth && c < bed.owner.size(); ++c) {
+    if (bed.owner[c] == id) highest = std::max(highest, bed.elevation[c]);
+  }
+  std::vector<Cell> top;
+  for (int j = 0; j < grid.ny; ++j)
+    for (int i = 0; i < grid.nx; ++i) {
+      const double x = grid.x(i), y = grid.y(j);
+      const bool step = !smooth && bed.obstacles[id].covers(x, y);
+      if (step) bed_[at(i, j)] += o.height;
+      if (step || (smooth && bed.owner[at(i, j)] == id && bed.elevation[at(i, j)] >= 0.99 * highest)) top.push_back({i, j});
+    }
+  top_.push_back(std::move(top));
+}
+
+// Across the obstacle at its crest: the x-face nearest to it (downstream of two), the rows of its width there.
+int FlowSide::add_gauge(const ObstacleSpec& o) {
+  const Grid& grid = model_->grid();
+  const double half = 0.5 * o.crest_width();
+  const int i = int(std::floor((o.crest_x() - grid.x0) / grid.dx + 0.5 + 1e-9));
+  int j0 = grid.ny, j1 = 0;
+  for (int j = 0; j < grid.ny; ++j)
+    if (grid.y(j) >= o.y - half && grid.y(j) <= o.y + half) j0 = std::min(j0, j), j1 = j + 1;
+  if (j0 >= j1) j0 = std::clamp(int(std::floor((o.y - grid.y0) / grid.dy)), 0, grid.ny - 1), j1 = j0 + 1;  // narrower than a row
+  return model_->add_gauge(std::clamp(i, 0, grid.nx), j0, j1);
+}
+
+const std::vector<ForceMeasure>& FlowSide::measure(const Scene& scene, const ReferenceSurface& surface, const CellBox& zone) {
+  measures_.emplace(scene, surface, *model_, zone);
+  return measures_->list();
 }
 
 void FlowSide::advance_to(double t) {
@@ -77,6 +109,7 @@ void FlowSide::report(WindowReport& w) {
   const double now = momentum();
   w.momentum.storage += now - momentum_before_;
   momentum_before_ = now;
+  if (measures_) w.measures = measures_->read(*model_, w.length);
   model_->reset_budget();
   w.solver_steps = model_->steps();
   w.cell_updates = model_->cell_updates();
@@ -89,9 +122,7 @@ ObstacleForce FlowSide::force(int id, double window) {
   const auto impulse = model_->obstacle_impulse(id);
   for (int q = 0; q < 2; ++q) out.force[q] = density_ * (impulse[q] - impulse_[id][q]) / window;
   impulse_[id] = impulse;
-  const CellBox& box = footprint_[id];
-  for (int j = box.j0; j < box.j1; ++j)
-    for (int i = box.i0; i < box.i1; ++i) out.depth_on_top = std::max(out.depth_on_top, model_->at(i, j).h);
+  for (const Cell& c : top_[id]) out.depth_on_top = std::max(out.depth_on_top, model_->at(c.i, c.j).h);
   return out;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 // The solver's share of a run: built from the scene, read into the ledgers.
 
+#include <optional>
+
 #include "continuum/flow_model.hpp"
+#include "coupling/loop/force_measures.hpp"
 #include "coupling/loop/observer.hpp"
 #include "coupling/scene/scene.hpp"
 
@@ -20,22 +23,32 @@ class FlowSide {
   void advance_to(double t);           // [s]; counts CPU
   double cpu() const { return cpu_; }  // [s]
 
+  // Takes up the other measures of force; zone: the cells that will be covered, may be empty. report() then fills them in.
+  const std::vector<ForceMeasure>& measure(const Scene&, const ReferenceSurface&, const CellBox& zone);
+
   // Ledger entries of the solver since the last call: mass state, momentum terms, counters.
   void report(WindowReport&);
   double momentum() const;                           // [N s] along x, present
   ObstacleForce force(int obstacle, double window);  // mean since the last call for this obstacle
-  double overtopped(int obstacle) const;             // [kg] through the plane of its middle since the start
+  double overtopped(int obstacle) const;             // [kg] through the plane of its crest since the start
 
   FrameView frame();
 
  private:
+  void lay_top(const ObstacleSpec&, int id, const StepBed&);
+  int add_gauge(const ObstacleSpec&);
+
   double density_;
   std::unique_ptr<FlowModel> model_;
   Solver* solver_ = nullptr;  // the same, where the scheme is central upwind
   std::vector<double> bed_;
   std::vector<int> gauge_;                      // by obstacle
   std::vector<std::array<double, 2>> impulse_;  // by obstacle, at the last call
-  std::vector<CellBox> footprint_;
+  struct Cell {
+    int i, j;
+  };
+  std::vector<std::vector<Cell>> top_;  // by obstacle: the cells of its top
+  std::optional<ForceMeasures> measures_;
   std::vector<double> h_, hu_, hv_;
   double initial_mass_ = 0, boundary_mass_ = 0, inflow_mass_ = 0, momentum_before_ = 0, cpu_ = 0;
 };

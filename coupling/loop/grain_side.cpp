@@ -61,6 +61,20 @@ ObstacleForce GrainSide::force(int k) const {
   return out;
 }
 
+void GrainSide::add_wall_forces(const std::vector<ForceMeasure>& measures, std::vector<std::array<double, 2>>& forces) const {
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    if (measures[k].kind != "wall") continue;
+    for (std::size_t s = 0; s < setup_.surfaces.size() && s < last_.surface_force.size(); ++s) {
+      if (setup_.surfaces[s].name != "side_" + measures[k].of) continue;
+      const Vec& f = last_.surface_force[s];
+      // Along the slope at an end of the domain; on a side wall, which may follow an arc, along the incline at the upper edge.
+      const Eigen::Vector3d along = surface_.tangent(measures[k].of == "downstream" ? surface_.length() : 0);
+      forces[k][0] += Eigen::Vector3d(f[0], f[1], f[2]).dot(along);
+      forces[k][1] += f[1];
+    }
+  }
+}
+
 double GrainSide::impulse_x(const std::string& surface) const {
   for (std::size_t s = 0; s < setup_.surfaces.size() && s < last_.surface_force.size(); ++s)
     if (setup_.surfaces[s].name == surface) return -last_.surface_force[s][0] * length_;

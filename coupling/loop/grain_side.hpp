@@ -31,6 +31,8 @@ class GrainSide {
   ObstacleForce force(int obstacle) const;  // of the last advance; zero where the obstacle has no mesh
   bool has_obstacle(int obstacle) const { return surface_of_obstacle_[obstacle] >= 0; }
   double overtopped(int obstacle) const { return overtopping_[obstacle].mass(); }
+  // Adds the last advance's forces on the domain's walls to the measures of kind "wall".
+  void add_wall_forces(const std::vector<ForceMeasure>&, std::vector<std::array<double, 2>>& forces) const;
   double impulse_x(const std::string& surface) const;  // [N s] on the grains in the last advance, by one surface
   double max_speed() const;                            // [m/s]
 

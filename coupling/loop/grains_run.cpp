@@ -1,5 +1,6 @@
 #include <set>
 
+#include "coupling/loop/force_measures.hpp"
 #include "coupling/loop/grain_side.hpp"
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/loop/momentum_book.hpp"
@@ -51,6 +52,7 @@ class GrainsRun : public ModeRun {
     begin.scene = &scene_;
     begin.surface = &surface_;
     begin.obstacles = obstacle_names(scene_);
+    begin.measures = measures_ = wall_measures(scene_);
     begin.effects = make_plan(scene_).effects;
     begin.bulk_density = side_->table().bulk_density();
     return begin;
@@ -88,6 +90,8 @@ class GrainsRun : public ModeRun {
       w.obstacles.push_back(force);
       w.overtopped += side_->overtopped(k);
     }
+    w.measures.resize(measures_.size());
+    side_->add_wall_forces(measures_, w.measures);
     mass_ = mass;
     momentum_before_ = momentum;
     book_.close(w.momentum, momentum);
@@ -149,6 +153,7 @@ class GrainsRun : public ModeRun {
   Grains start_;
   Grid grid_;
   MomentumBook book_;
+  std::vector<ForceMeasure> measures_;
   double initial_mass_ = 0, mass_ = 0, momentum_before_ = 0;
   long inserted_ = 0;
 };

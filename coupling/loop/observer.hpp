@@ -17,12 +17,19 @@
 
 namespace couloir {
 
+// A force by another measure than ObstacleForce; the kinds are explained in force_measures.hpp.
+struct ForceMeasure {
+  std::string of;    // obstacle, or side of the domain
+  std::string kind;  // "control_volume" | "elevation" | "elevation_upstream" | "wall"
+};
+
 struct RunStart {
   const Scene* scene = nullptr;
   const ReferenceSurface* surface = nullptr;
   Grid grid;                // nx = 0 in grains mode
   std::vector<double> bed;  // [m] elevation and step obstacles by cell, [j * nx + i]
   std::vector<std::string> obstacles;
+  std::vector<ForceMeasure> measures;
   std::vector<Effect> effects;
   double bulk_density = 0;  // [kg/m3] that both models use
 };
@@ -57,6 +64,7 @@ struct WindowReport {
   MomentumLedger momentum;
   std::vector<ObstacleForce> obstacles;         // as RunStart::obstacles
   std::vector<GaugeReading> gauges;             // as the scene's record.gauges; empty in grains mode
+  std::vector<std::array<double, 2>> measures;  // [N] mean over the window, (along, across) the slope; as RunStart::measures
   long grains = 0, inserted = 0, returned = 0;  // now; since the start
   std::int64_t engine_steps = 0;
   std::int64_t solver_steps = 0, cell_updates = 0;

@@ -43,6 +43,15 @@ std::string first_difference(const RecordsReader& a, const RecordsReader& b) {
       const std::string text = difference("gauges/" + name + "/" + column, a.gauge(name, column), b.gauge(name, column));
       if (!text.empty()) return text;
     }
+  const auto same = [](const ForceMeasure& p, const ForceMeasure& q) { return p.kind == q.kind && p.of == q.of; };
+  const std::vector<ForceMeasure> measures = a.measures(), others = b.measures();
+  if (!std::ranges::equal(measures, others, same)) return "the measures of force are not the same";
+  for (const ForceMeasure& m : measures)
+    for (const char* column : {"fx", "fy"}) {
+      const std::string text =
+          difference("measures/" + m.kind + "/" + m.of + "/" + column, a.measure(m, column), b.measure(m, column));
+      if (!text.empty()) return text;
+    }
   std::vector<double> when[2];
   for (const Event& event : a.events()) when[0].push_back(event.time);
   for (const Event& event : b.events()) when[1].push_back(event.time);

@@ -26,9 +26,11 @@ ForcesCsv::ForcesCsv(const std::string& path, double resume_time)
 void ForcesCsv::on_start(const RunStart& start) {
   interval_ = start.scene->record.forces;
   impulse_.assign(start.obstacles.size(), Vec{});
+  measured_.assign(start.measures.size(), {});
   if (resumed_) return;
   std::string header = "time [s]";
   for (const std::string& name : start.obstacles) header += fmt::format(",{0} x [N],{0} y [N],{0} z [N]", name);
+  for (const ForceMeasure& m : start.measures) header += fmt::format(",{0} {1} x [N],{0} {1} y [N]", m.of, m.kind);
   file_.line(header);
 }
 
@@ -37,6 +39,8 @@ void ForcesCsv::on_window(const WindowReport& window) {
   since_ += window.length;
   for (std::size_t k = 0; k < impulse_.size() && k < window.obstacles.size(); ++k)
     for (int c = 0; c < 3; ++c) impulse_[k][c] += window.obstacles[k].force[c] * window.length;
+  for (std::size_t k = 0; k < measured_.size() && k < window.measures.size(); ++k)
+    for (int c : {0, 1}) measured_[k][c] += window.measures[k][c] * window.length;
   // A hair of slack: windows of 0.25 ms must make rows of 1 ms in spite of round-off.
   if (since_ >= interval_ * (1 - 1e-9)) write_row();
 }
@@ -51,6 +55,10 @@ void ForcesCsv::write_row() {
   for (Vec& impulse : impulse_) {
     for (const double component : impulse) row += fmt::format(",{:.9g}", component / since_);
     impulse = Vec{};
+  }
+  for (auto& impulse : measured_) {
+    for (const double component : impulse) row += fmt::format(",{:.9g}", component / since_);
+    impulse = {};
   }
   since_ = 0;
   file_.line(row);

@@ -12,6 +12,8 @@ namespace couloir {
 // the sum of force times (time - time of the row before) is the impulse [N s].
 //
 //   time [s],wall x [N],wall y [N],wall z [N]      x along the slope, y across it, z along the normal
+//
+// then x and y of every other measure of force: wall control_volume x [N],...,downstream wall x [N],downstream wall y [N]
 class ForcesCsv : public Observer {
  public:
   // With `resume_time` the rows after it are dropped and writing goes on. Throws RecordError.
@@ -25,9 +27,10 @@ class ForcesCsv : public Observer {
 
   TextFile file_;
   bool resumed_;
-  double interval_ = 0;          // [s]
-  double time_ = 0, since_ = 0;  // [s] now; covered by impulse_
-  std::vector<Vec> impulse_;     // [N s] since the last row
+  double interval_ = 0;                          // [s]
+  double time_ = 0, since_ = 0;                  // [s] now; covered by impulse_
+  std::vector<Vec> impulse_;                     // [N s] since the last row
+  std::vector<std::array<double, 2>> measured_;  // the same by the other measures
 };
 
 }  // namespace couloir

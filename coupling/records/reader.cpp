@@ -107,6 +107,20 @@ std::vector<double> RecordsReader::gauge(const std::string& name, const std::str
   return h5::numbers(file_, "gauges/" + name + "/" + column);
 }
 
+std::vector<ForceMeasure> RecordsReader::measures() const {
+  std::vector<ForceMeasure> out;
+  if (!h5::exists(file_, "measures")) return out;
+  const h5::Handle all = h5::create_group(file_, "measures");
+  for (const std::string& kind : h5::children(all)) {
+    for (const std::string& of : h5::children(h5::create_group(all, kind))) out.push_back({of, kind});
+  }
+  return out;
+}
+
+std::vector<double> RecordsReader::measure(const ForceMeasure& m, const std::string& column) const {
+  return h5::numbers(file_, "measures/" + m.kind + "/" + m.of + "/" + column);
+}
+
 std::vector<Event> RecordsReader::events() const {
   const std::vector<double> times = h5::numbers(file_, "events/time");
   const std::vector<std::string> what = h5::texts(file_, "events/text");

@@ -155,6 +155,12 @@ void Records::open_series(const RunStart& start) {
                        h5::Series(group, "velocity_along", {"m/s", "along the slope"}),
                        h5::Series(group, "velocity_across", {"m/s", "across the slope"})});
   }
+  const h5::Handle measures = h5::create_group(file_, "measures");
+  for (const ForceMeasure& m : start.measures) {
+    const h5::Handle group = h5::create_group(h5::create_group(measures, m.kind), m.of);
+    measures_.push_back({h5::Series(group, "fx", {"N", "force along the slope by this measure, mean over the window"}),
+                         h5::Series(group, "fy", {"N", "force across the slope by this measure, mean over the window"})});
+  }
   const h5::Handle events = h5::create_group(file_, "events");
   event_time_.emplace(events, "time", h5::Meaning{"s", "when"});
   event_text_.emplace(events, "text", h5::Meaning{"", "what happened, and why"});
@@ -173,6 +179,7 @@ void Records::drop_after(double time) {
     for (h5::Series* series : {&f.time, &f.fx, &f.fy, &f.fz, &f.depth_on_top}) series->keep(windows);
   for (GaugeColumns& g : gauges_)
     for (h5::Series* series : {&g.time, &g.depth, &g.along, &g.across}) series->keep(windows);
+  for (MeasureColumns& m : measures_) m.fx.keep(windows), m.fy.keep(windows);
   event_time_->keep(events);
   event_text_->keep(events);
   for (const std::string& name : h5::children(frames_))
@@ -199,6 +206,10 @@ void Records::on_window(const WindowReport& window) {
     gauges_[k].along.add(g.velocity_along);
     gauges_[k].across.add(g.velocity_across);
   }
+  for (std::size_t k = 0; k < measures_.size() && k < window.measures.size(); ++k) {
+    measures_[k].fx.add(window.measures[k][0]);
+    measures_[k].fy.add(window.measures[k][1]);
+  }
   if (++waiting_ < kWaitingWindows) return;
   guarded([&] {
     write_waiting();
@@ -212,6 +223,7 @@ void Records::write_waiting() {
     for (h5::Series* series : {&f.time, &f.fx, &f.fy, &f.fz, &f.depth_on_top}) series->write();
   for (GaugeColumns& g : gauges_)
     for (h5::Series* series : {&g.time, &g.depth, &g.along, &g.across}) series->write();
+  for (MeasureColumns& m : measures_) m.fx.write(), m.fy.write();
   event_time_->write();
   event_text_->write();
   waiting_ = 0;

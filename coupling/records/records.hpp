@@ -11,6 +11,7 @@
 //   /windows/{time,length,mass_*,momentum_*,grains,...}    one row a window
 //   /forces/<obstacle>/{time,fx,fy,fz,depth_on_top}        one row a window
 //   /gauges/<name>/{time,depth,velocity_along,velocity_across}    one row a window
+//   /measures/<kind>/<of>/{fx,fy}                          one row a window: force by other measures, force_measures.hpp
 //   /events/{time,text}
 //
 // Numbers that a run is compared by (h, hu, hv, x, vx, ...) are stored as computed, in double; `surface`, `position` and
@@ -44,6 +45,9 @@ class Records : public Observer {
   struct ForceColumns {
     h5::Series time, fx, fy, fz, depth_on_top;
   };
+  struct MeasureColumns {
+    h5::Series fx, fy;
+  };
 
   struct GaugeColumns {
     h5::Series time, depth, along, across;
@@ -70,6 +74,7 @@ class Records : public Observer {
   std::vector<h5::Series> columns_;  // as window_columns()
   std::vector<ForceColumns> forces_;
   std::vector<GaugeColumns> gauges_;
+  std::vector<MeasureColumns> measures_;
   std::optional<h5::Series> event_time_;
   std::optional<h5::TextSeries> event_text_;
 };

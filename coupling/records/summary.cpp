@@ -28,6 +28,13 @@ Json time_json(const RunEnd& end, double simulated) {
   return time;
 }
 
+// Out of the domain through this side.
+double outward(const std::string& side, const std::array<double, 2>& f) {
+  if (side == "upstream") return -f[0];
+  if (side == "downstream") return f[0];
+  return side == "left" ? -f[1] : f[1];
+}
+
 }  // namespace
 
 Summary::Summary(const std::string& path, const std::string& records, double resume_time)
@@ -46,6 +53,7 @@ void Summary::on_start(const RunStart& start) {
   for (const std::string& name : start.obstacles) obstacles_.push_back({name, {}, 0, 0, 0});
   if (has_continuum_)
     for (const GaugeSpec& gauge : scene.record.gauges) gauges_.push_back({gauge.name, {}});
+  for (const ForceMeasure& m : start.measures) measures_.push_back({m, {}, 0});
   if (resume_time_ >= 0) read_back();
 }
 
@@ -65,6 +73,8 @@ void Summary::read_back() {
   std::vector<std::array<std::vector<double>, 3>> gauges;
   for (const Gauge& g : gauges_)
     gauges.push_back({run.gauge(g.name, "depth"), run.gauge(g.name, "velocity_along"), run.gauge(g.name, "velocity_across")});
+  std::vector<std::array<std::vector<double>, 2>> measures;
+  for (const Measure& m : measures_) measures.push_back({run.measure(m.what, "fx"), run.measure(m.what, "fy")});
   for (std::size_t k = 0; k < time.size() && time[k] <= until; ++k) {
     WindowReport window;
     window.time = time[k], window.length = length[k];
@@ -73,6 +83,7 @@ void Summary::read_back() {
     window.grains = long(grains[k]);
     for (const auto& f : forces) window.obstacles.push_back({{f[0][k], f[1][k], f[2][k]}, f[3][k]});
     for (const auto& g : gauges) window.gauges.push_back({g[0][k], g[1][k], g[2][k]});
+    for (const auto& f : measures) window.measures.push_back({f[0][k], f[1][k]});
     mass_error_ = std::max(mass_error_, error[k]);
     take(window);
   }
@@ -99,6 +110,16 @@ void Summary::take(const WindowReport& window) {
   }
   for (std::size_t k = 0; k < gauges_.size() && k < window.gauges.size(); ++k)
     gauges_[k].series.add(window.time, window.length, window.gauges[k]);
+  take_measures(window);
+}
+
+void Summary::take_measures(const WindowReport& window) {
+  for (std::size_t k = 0; k < measures_.size() && k < window.measures.size(); ++k) {
+    Measure& m = measures_[k];
+    const auto& f = window.measures[k];
+    m.series.add(window.time, window.length, m.what.kind == "wall" ? outward(m.what.of, f) : f[0], true);
+    m.impulse_across += f[1] * window.length;
+  }
 }
 
 void Summary::on_event(const Event& event) {
@@ -158,6 +179,18 @@ void Summary::on_finish(const RunEnd& end) {
                                  {"velocity_mean", g.velocity_mean()},
                                  {"max_speed", g.max_speed},
                                  {"arrival", g.arrival >= 0 ? Json(g.arrival) : Json()}};
+  }
+  out["walls"] = Json::object();
+  for (const Measure& m : measures_) {
+    const ForceFigures f = m.series.figures();
+    Json figures{
+        {"maximum", f.peak_window}, {"peak", f.peak}, {"peak_time", f.peak_time}, {"mean", f.mean}, {"impulse", f.impulse}};
+    if (m.what.kind == "wall") {
+      out["walls"][m.what.of] = figures;
+    } else {
+      figures["impulse_across"] = m.impulse_across;
+      out["obstacles"][m.what.of][m.what.kind] = figures;
+    }
   }
   out["effects"] = Json::array();
   for (const Effect& e : effects_) out["effects"].push_back({{"name", e.name}, {"on", e.on}, {"reason", e.reason}});

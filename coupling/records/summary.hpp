@@ -15,6 +15,9 @@
 //             .max_depth_on_top, .depth_on_top_final [m]: greatest depth on its top, over the run and at the end
 //   gauges.<name> .max_depth, .max_depth_time, .depth_final, .depth_mean, .velocity_mean, .max_speed, .arrival (null: never):
 //             gauge_series.hpp; none in grains mode
+//   obstacles.<name>.<kind>, walls.<side>  the force by other measures (loop/force_measures.hpp): .maximum, the largest window's
+//             mean [N]; .peak and .peak_time of the 15 ms mean; .mean over the whole run [N]; .impulse [N s]. Of the component
+//             along the slope, and .impulse_across; of a wall the component out of the domain
 //   flow      .max_speed [m/s]
 //   effects   [{name, on, reason}];  events [{time, what}]
 
@@ -41,6 +44,7 @@ class Summary : public Observer {
 
  private:
   void take(const WindowReport&);
+  void take_measures(const WindowReport&);
   void read_back();
 
   struct Obstacle {
@@ -53,6 +57,12 @@ class Summary : public Observer {
     GaugeSeries series;
   };
 
+  struct Measure {
+    ForceMeasure what;
+    ForceSeries series;
+    double impulse_across = 0;
+  };
+
   std::string path_, records_, text_;
   double resume_time_;
   std::string title_, scene_, mode_, engine_;
@@ -61,6 +71,7 @@ class Summary : public Observer {
   long cells_ = 0;
   std::vector<Obstacle> obstacles_;
   std::vector<Gauge> gauges_;
+  std::vector<Measure> measures_;
   std::vector<Effect> effects_;
   std::vector<Event> events_;
   WindowReport last_;

@@ -90,6 +90,10 @@ TEST(Summary, HoldsTheKeysOfTheContract) {
                           "/obstacles/wall/force_final",
                           "/obstacles/wall/impulse",
                           "/obstacles/wall/max_depth_on_top",
+                          "/obstacles/wall/control_volume/maximum",
+                          "/obstacles/wall/control_volume/mean",
+                          "/obstacles/wall/control_volume/impulse",
+                          "/walls/left/maximum",
                           "/effects/0/name",
                           "/effects/0/on",
                           "/effects/0/reason",
@@ -123,6 +127,18 @@ TEST(Summary, HoldsTheKeysOfTheContract) {
   EXPECT_NEAR(wall["force_final"], 6, 0.1);
   EXPECT_NEAR(wall["first_contact"], 0.1, 1e-9);
   EXPECT_NEAR(wall["max_depth_on_top"], 0.004, 1e-15);
+  // The other measures: maximum, mean over the whole run, impulse; a wall's are out of the domain.
+  const auto& around = wall["control_volume"];
+  EXPECT_EQ(around["maximum"], 1.5 * raw);
+  EXPECT_NEAR(around["peak"], 1.5 * wall["force_peak"].get<double>(), 1e-12);
+  EXPECT_NEAR(around["impulse"], 1.5 * impulse, 1e-12);
+  EXPECT_NEAR(around["impulse_across"], 0.25 * impulse, 1e-12);
+  EXPECT_NEAR(around["mean"], 1.5 * impulse / 0.4, 1e-9);
+  const auto& side = json["walls"]["left"];
+  EXPECT_EQ(side["maximum"], 2 + raw);
+  EXPECT_NEAR(side["impulse"], 2 * 0.4 + impulse, 1e-12);
+  EXPECT_NEAR(side["mean"], 2 + impulse / 0.4, 1e-9);
+  EXPECT_FALSE(side.contains("impulse_across"));
 }
 
 TEST(Summary, TellsOfAnInterruptedRun) {
@@ -161,8 +177,10 @@ TEST(ForcesCsv, HasUnitsAndARowEachInterval) {
   ForcesCsv csv(folder / "forces.csv");
   run.play({&csv});
   const std::vector<std::string> lines = lines_of(folder / "forces.csv");
-  EXPECT_EQ(lines[0], "time [s],wall x [N],wall y [N],wall z [N]");
-  EXPECT_EQ(lines[1], "0.003,0,0,0");
+  EXPECT_EQ(lines[0],
+            "time [s],wall x [N],wall y [N],wall z [N],wall control_volume x [N],wall control_volume y [N],"
+            "left wall x [N],left wall y [N]");
+  EXPECT_EQ(lines[1], "0.003,0,0,0,0,0,0.125,-2");
   ASSERT_EQ(lines.size(), 1u + 134u);  // 133 whole intervals and the rest
   double impulse = 0, expected = 0, before = 0;
   for (std::size_t k = 1; k < lines.size(); ++k) {

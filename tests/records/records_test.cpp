@@ -39,6 +39,14 @@ TEST(Records, ComeBackBitForBit) {
   }
   EXPECT_EQ(reader.obstacles(), std::vector<std::string>{"wall"});
   EXPECT_EQ(reader.force("wall", "fy")[200], run.window(200).obstacles[0].force[1]);
+  const std::vector<ForceMeasure> measures = reader.measures();
+  ASSERT_EQ(measures.size(), 2u);
+  EXPECT_EQ(measures[0].kind + " of " + measures[0].of, "control_volume of wall");
+  EXPECT_EQ(measures[1].kind + " of " + measures[1].of, "wall of left");
+  for (int m : {0, 1}) {
+    EXPECT_EQ(reader.measure(measures[m], "fx")[200], run.window(200).measures[m][0]);
+    EXPECT_EQ(reader.measure(measures[m], "fy")[200], run.window(200).measures[m][1]);
+  }
   const std::vector<Event> events = reader.events();
   ASSERT_EQ(events.size(), 2u);
   EXPECT_EQ(events[0].time, 0.1);
@@ -80,6 +88,18 @@ TEST(Records, ExplainEveryDataset) {
   H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, find_silent, &found, H5O_INFO_BASIC);
   EXPECT_GT(found.first, 11 * 15);
   EXPECT_EQ(found.second, "");
+}
+
+// Records of before there were measures have none.
+TEST(Records, WithoutMeasuresAreRead) {
+  const TemporaryFolder folder;
+  record(SyntheticRun(Mode::coupled), folder / "a");
+  {
+    const h5::Handle file = h5::open_file(folder / "a/records.h5", true);
+    ASSERT_GE(H5Ldelete(file, "measures", H5P_DEFAULT), 0);
+    h5::flush(file, "a");
+  }
+  EXPECT_TRUE(RecordsReader(folder / "a/records.h5").measures().empty());
 }
 
 TEST(Records, OfGrainsAloneHaveNoFlow) {

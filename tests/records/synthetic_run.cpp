@@ -68,6 +68,7 @@ RunStart SyntheticRun::start() const {
       out.bed.push_back(wall ? kWallHeight : 0);
     }
   out.obstacles = {"wall"};
+  out.measures = {{"wall", "control_volume"}, {"left", "wall"}};
   out.effects = {{"curvature", true, "the surface has an arc of radius 0.5 m at x = 0.9 m"},
                  {"earth pressure", true, "the material's angles 40 and 30 deg differ"},
                  {"rotation", false, "grains are spheres and the scene asks for no spin output"}};
@@ -105,6 +106,7 @@ WindowReport SyntheticRun::window(long k) const {
   w.momentum.residual = 1e-9 * (1 + k % 5);
   w.momentum.scale = kMass * speed(t);
   w.obstacles.push_back({{force(t), 0.1 * force(t), -0.2 * force(t)}, t > 0.2 ? 0.004 : 0});
+  w.measures = {{1.5 * force(t), 0.25 * force(t)}, {0.125, -2 - force(t)}};
   w.grains = with_grains ? long(4000 * (scene.mode == Mode::grains ? 2.5 : share)) : 0;
   w.returned = with_grains ? long(800 * share * share) : 0;
   w.inserted = w.grains + w.returned;
