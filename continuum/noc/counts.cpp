@@ -12,25 +12,37 @@ double NocSolver::Impl::gain(int i, int j, int a, int b) const {
   return share_to_centre(i, j, a, b) - noc::share_depth(giver, a == 0 ? -1 : 1, b == 0 ? -1 : 1);
 }
 
-// A corner on the side has cells on one hand only: what they get from it and did not give to it came in.
+// A corner on the side has cells on one hand only: what they get from it and did not give to it came in. Where an inflow meets
+// an outflow it is the inflow's.
 void NocSolver::Impl::count_sides(const CellBox& box) {
   const Grid& g = settings.grid;
-  double sum = 0;
+  double through = 0, through_inflow = 0;
+  const auto at_inflow = [&](int i, int j) {
+    const bool at[] = {i == 0, i == g.nx, j == 0, j == g.ny};
+    for (int side = 0; side < 4; ++side) {
+      if (at[side] && settings.sides[side].kind == Side::Kind::inflow) return true;
+    }
+    return false;
+  };
   const auto count = [&](int i, int j) {
+    double sum = 0;
     for (int a : {0, 1}) {
       for (int b : {0, 1}) {  // the cell of which the corner is the upper (1) or lower (0) one
         const int ci = i - a, cj = j - b;
         if (ci >= 0 && cj >= 0 && ci < g.nx && cj < g.ny) sum += gain(ci, cj, a, b);
       }
     }
+    through += sum;
+    if (at_inflow(i, j)) through_inflow += sum;
   };
   for (int j = box.j0; j < box.j1; ++j) {
-    const bool whole_row = (j == 0 || j == g.ny) && on_open_side(1, j);
+    const bool whole_row = j == 0 || j == g.ny;
     for (int i = box.i0; i < box.i1; ++i) {
       if ((whole_row || i == 0 || i == g.nx) && on_open_side(i, j) && counted(i, j)) count(i, j);
     }
   }
-  budget.mass_boundary += g.dx * g.dy * sum;
+  budget.mass_boundary += g.dx * g.dy * through;
+  budget.mass_inflow += g.dx * g.dy * through_inflow;
 }
 
 // The exchange of a corner across the gauge's line: half of what the cells beyond gain less what those before it do. On the

@@ -58,6 +58,10 @@ struct NocSolver::Impl {
   void step(double dt);
   double stable_dt();
   void refresh();                         // window, ghosts, state, signal rate, where the state has changed
+  void refresh_state();                  // ghosts, state and signal rate
+  bool set_inflow(double at);            // for the time given
+  void lay_lines();
+  void wet_inflow();
   CellBox window(int margin) const;       // the wet cells and so many around them
   bool half_step_to_corners(double tau);  // false: the CFL bound (3.22) would break on the corners
   void half_step_to_centres(double tau);
@@ -95,7 +99,8 @@ struct NocSolver::Impl {
   void put(int i, int j, const FlowState&);
   FlowState get(int i, int j) const;
 
-  SolverSettings settings;
+  SolverSettings settings;    // its inflow sides: as they are now
+  std::array<Side, 4> sides;  // as given
   noc::Terrain terrain;
   Lattice centres, corners;
   std::vector<Line> lines_x, lines_y;  // [2 * corner + which]

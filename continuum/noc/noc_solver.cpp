@@ -36,6 +36,8 @@ void check(const SolverSettings& s, const ReferenceSurface& surface) {
                      : "Only one of the sides left and right is periodic; make both periodic or neither.");
   }
   for (const Side& side : s.sides) {
+    for (const InflowPoint& p : side.hydrograph)
+      require(p.depth >= 0 && p.velocity >= 0, "An inflow's hydrograph needs depths and velocities that are not negative.");
     require(side.kind != Side::Kind::inflow || (side.depth >= 0 && side.velocity >= 0),
             "An inflow side needs a depth and an inward velocity that are not negative; correct the boundary.");
   }
@@ -52,15 +54,21 @@ void require_cell(const Grid& g, int i, int j) {
 
 NocSolver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, const NocBed& bed)
     : settings((check(s, surface), s)),
+      sides(s.sides),
       terrain(s.grid, surface, bed, s.gravity, s.closure.curvature),
       centres(Lattice::Kind::centres, settings, terrain),
       corners(Lattice::Kind::corners, settings, terrain),
       impulse(bed.obstacles.size()) {
-  for (int i = 0; i <= s.grid.nx; ++i) {
-    for (int which : {0, 1}) lines_x.push_back(line(i, which, s.grid.nx, 0));
+  lay_lines();
+}
+
+void NocSolver::Impl::lay_lines() {
+  lines_x.clear(), lines_y.clear();
+  for (int i = 0; i <= settings.grid.nx; ++i) {
+    for (int which : {0, 1}) lines_x.push_back(line(i, which, settings.grid.nx, 0));
   }
-  for (int j = 0; j <= s.grid.ny; ++j) {
-    for (int which : {0, 1}) lines_y.push_back(line(j, which, s.grid.ny, 2));
+  for (int j = 0; j <= settings.grid.ny; ++j) {
+    for (int which : {0, 1}) lines_y.push_back(line(j, which, settings.grid.ny, 2));
   }
 }
 

@@ -24,17 +24,25 @@ std::int64_t count(const CellBox& b) {
 void NocSolver::Impl::step(double dt) {
   if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
   dt = std::min(dt, stable_dt());
+  double row = next_row(sides[0], time);
+  for (const Side& side : sides) row = std::min(row, next_row(side, time));
+  double end = row - time <= dt ? row : time + dt;
+  dt = std::min(dt, row - time);
+  // A pair sees the inflow of its middle.
+  if (set_inflow(time + 0.5 * dt)) rate.reset(), refresh_state();
   if (!wet.empty()) {
     for (int halvings = 0; !half_step_to_corners(0.5 * dt); ++halvings) {
       if (halvings == most_halvings)
         throw NumericsError("The continuum's time step fell below any use at t = " + std::to_string(time) +
                             " s: the flow speeds up without bound; check the bed's slopes, or use scheme central_upwind.");
       dt *= 0.5;
+      end = time + dt;
+      if (set_inflow(time + 0.5 * dt)) refresh_state();
     }
     half_step_to_centres(0.5 * dt);
     rate.reset();
   }
-  time += dt;
+  time = end;
   ++steps;
 }
 
@@ -49,15 +57,36 @@ void NocSolver::Impl::refresh() {
   if (rate) return;
   if (scan) find_wet({0, settings.grid.nx, 0, settings.grid.ny});
   scan = false;
+  set_inflow(time);
+  refresh_state();
+}
+
+void NocSolver::Impl::refresh_state() {
   centres.fill_ghosts();
   double fastest = centres.find_state(window(4));
   for (int side = 0; side < 4; ++side) {
-    const Side& s = settings.sides[side];
-    if (s.kind != Side::Kind::inflow) continue;
-    const double speed = s.velocity + std::sqrt(settings.gravity * s.depth);
-    fastest = std::max(fastest, speed / (side < 2 ? settings.grid.dx : settings.grid.dy));
+    const double spacing = side < 2 ? settings.grid.dx : settings.grid.dy;
+    fastest = std::max(fastest, fastest_inflow(sides[side], settings.gravity, time) / spacing);
   }
   rate = fastest;
+}
+
+// What comes in at a time; an inflow that has run dry is a wall. False: as it was.
+bool NocSolver::Impl::set_inflow(double at) {
+  bool changed = false;
+  for (int side = 0; side < 4; ++side) {
+    if (sides[side].kind != Side::Kind::inflow) continue;
+    const InflowPoint p = inflow_at(sides[side], at);
+    Side& s = settings.sides[side];
+    const Side::Kind kind = p.depth > 0 ? Side::Kind::inflow : Side::Kind::wall;
+    changed = changed || s.kind != kind || s.depth != p.depth || s.velocity != p.velocity;
+    s.kind = kind, s.depth = p.depth, s.velocity = p.velocity;
+  }
+  if (changed) {
+    lay_lines();
+    wet_inflow();
+  }
+  return changed;
 }
 
 CellBox NocSolver::Impl::window(int margin) const {
@@ -115,15 +144,20 @@ void NocSolver::Impl::find_wet(const CellBox& cells) {
       found = {std::min(found.i0, i), std::max(found.i1, i + 1), std::min(found.j0, j), std::max(found.j1, j + 1)};
     }
   }
-  // An inflow wets its side.
-  const CellBox sides[] = {{0, 1, 0, g.ny}, {g.nx - 1, g.nx, 0, g.ny}, {0, g.nx, 0, 1}, {0, g.nx, g.ny - 1, g.ny}};
+  wet = found;
+  wet_inflow();
+}
+
+// An inflow wets its side.
+void NocSolver::Impl::wet_inflow() {
+  const Grid& g = settings.grid;
+  const CellBox edges[] = {{0, 1, 0, g.ny}, {g.nx - 1, g.nx, 0, g.ny}, {0, g.nx, 0, 1}, {0, g.nx, g.ny - 1, g.ny}};
   for (int side = 0; side < 4; ++side) {
     const Side& s = settings.sides[side];
     if (s.kind != Side::Kind::inflow || s.depth < settings.dry_depth) continue;
-    const CellBox& b = sides[side];
-    found = {std::min(found.i0, b.i0), std::max(found.i1, b.i1), std::min(found.j0, b.j0), std::max(found.j1, b.j1)};
+    const CellBox& b = edges[side];
+    wet = {std::min(wet.i0, b.i0), std::max(wet.i1, b.i1), std::min(wet.j0, b.j0), std::max(wet.j1, b.j1)};
   }
-  wet = found;
 }
 
 void NocSolver::Impl::collect(const std::vector<RowSums>& rows) {
@@ -140,8 +174,8 @@ void NocSolver::Impl::collect(const std::vector<RowSums>& rows) {
     budget.gravity[k] += area * sum.gravity[k];
     budget.friction[k] += area * sum.friction[k];
     budget.boundary[k] += area * sum.boundary[k];
-    for (int side = 0; side < 4; ++side) budget.sides[side][k] += area * sum.sides[side][k];
     budget.cutoff[k] += area * sum.cutoff[k];
+    for (int side = 0; side < 4; ++side) budget.sides[side][k] += area * sum.sides[side][k];
   }
   if (!finite) check_finite();
 }

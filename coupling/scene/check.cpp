@@ -219,11 +219,6 @@ struct Checker {
            "is noc, which runs in mode continuum only: it has no zone for grains; use central_upwind, or mode: "
            "continuum");
     }
-    for (const SideSpec& side : scene.sides) {
-      if (noc && side.kind == SideSpec::Kind::inflow && side.inflow == SideSpec::Inflow::hydrograph)
-        fail("continuum.scheme",
-             "is noc, whose inflows are steady; use central_upwind for a hydrograph, or inflow.kind: uniform");
-    }
     for (const ObstacleSpec& o : scene.obstacles) {
       if (noc && o.method == ObstacleSpec::Method::step) {
         fail("obstacles." + o.name,

@@ -113,6 +113,49 @@ TEST(NocConservation, InflowFillsWithWhatItIsGiven) {
   EXPECT_NEAR(solver.at(30, 1).hu, 0.1, 1e-9);
 }
 
+// Steps end at the hydrograph's rows, between which it is linear: what is asked for enters, and after it the side is shut.
+TEST(NocConservation, HydrographGivesWhatItSaysAndThenShuts) {
+  SolverSettings s = basin(100, 3, 0.02);
+  s.sides[0].kind = Side::Kind::inflow;
+  s.sides[0].hydrograph = {{0.1, 0.04, 2.0}, {0.3, 0.06, 2.0}, {0.4, 0.06, 2.0}};
+  NocSolver solver(s, ReferenceSurface::flat(2), {});
+  solver.advance_to(0.1);
+  EXPECT_EQ(solver.volume(), 0);
+  solver.advance_to(0.4);
+  const double asked = (0.05 * 2 * 0.2 + 0.06 * 2 * 0.1) * 0.06;
+  EXPECT_NEAR(solver.volume(), asked, 0.02 * asked);
+  EXPECT_NEAR(solver.volume(), solver.budget().mass_inflow, 1e-13 * asked);
+  EXPECT_EQ(solver.budget().mass_inflow, solver.budget().mass_boundary);
+  const auto bytes = solver.checkpoint();
+  const double volume = solver.volume();
+  solver.advance_to(1.5);
+  EXPECT_NEAR(solver.volume(), volume, 1e-13 * volume);
+  NocSolver again(s, ReferenceSurface::flat(2), {});
+  again.restore(bytes);
+  again.advance_to(1.5);
+  EXPECT_EQ(bits_of(again), bits_of(solver));
+}
+
+TEST(NocConservation, SidesSumToTheBoundaryAndAWallHoldsALayer) {
+  NocSolver s = heap_on_bump(1, sides(Side::Kind::wall, Side::Kind::wall));
+  s.advance_to(0.8);
+  const Budget& b = s.budget();
+  for (int k : {0, 1}) {
+    double sum = 0;
+    for (const auto& side : b.sides) sum += side[k];
+    EXPECT_NEAR(sum, b.boundary[k], 1e-14);
+  }
+  EXPECT_NEAR(b.sides[2][0], 0, 1e-17);  // a wall is smooth
+  NocSolver layer(basin(20, 10, 0.05), ReferenceSurface::flat(1), {});
+  layer.set([](double, double) { return FlowState{0.1, 0, 0}; });
+  layer.advance_to(0.3);
+  const double push = 0.5 * 9.81 * 0.1 * 0.1 * 0.3;
+  EXPECT_NEAR(layer.budget().sides[0][0], push * 0.5, 1e-12);
+  EXPECT_NEAR(layer.budget().sides[1][0], -push * 0.5, 1e-12);
+  EXPECT_NEAR(layer.budget().sides[2][1], push * 1.0, 1e-12);
+  EXPECT_NEAR(layer.budget().sides[3][1], -push * 1.0, 1e-12);
+}
+
 TEST(NocConservation, GaugesCountWhatCrosses) {
   NocSolver s = heap_on_bump(1);
   const int low = s.add_gauge(25, 0, 40), edge = s.add_gauge(32, 0, 40), out = s.add_gauge(60, 0, 40);
