@@ -16,10 +16,11 @@ inline double wall_share(double rise, double head, double spacing) {
 
 // What a slope's foot gives to a flow that it cannot hold by pressure: where the bed blocks the way down (h* < h reaches over),
 // the weight of the cell's material asks for a depth of 2 dx tan(zeta); a thinner flow meets a wall there, in proportion. The
-// square keeps the second order where the rise is small.
-inline double foot(double h, double over, double u, double weight, double deep) {
+// square keeps the second order where the rise is small. Only the speed gained counts, beyond half of what follows: a flow that
+// keeps coming runs up. (Beyond all of it, thin films on steep wavy beds gain energy.)
+inline double foot(double h, double over, double gained, double weight, double deep) {
   const double blocked = h > 0 ? 1 - over / h : 0.0, thin = h < deep ? 1 - h / deep : 0.0;
-  return blocked * blocked * thin * (wall_flux(h, std::max(u, 0.0), weight) - pressure(h, weight));
+  return blocked * blocked * thin * (wall_flux(h, std::max(gained, 0.0), weight) - pressure(h, weight));
 }
 
 // Without relief h* = h and the bed does not push: the same bits for less work.
@@ -30,7 +31,7 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
   const double *h_lo = f.h_lo.data(), *h_hi = f.h_hi.data(), *eta_lo = f.eta_lo.data(), *eta_hi = f.eta_hi.data();
   const double *un_lo = f.un_lo.data(), *un_hi = f.un_hi.data(), *ut_lo = f.ut_lo.data(), *ut_hi = f.ut_hi.data();
   const double spacing = axis.spacing;
-  const double *k = axis.k, *loose = w.loose.data(), *smooth = w.smooth.data();
+  const double *un = axis.un, *k = axis.k, *loose = w.loose.data(), *smooth = w.smooth.data();
   double *mass = out.mass.data(), *tangent = out.tangent.data(), *normal = out.normal.data();
   double *below = out.normal_below.data(), *above = out.normal_above.data();
   for (int j = 0; j < axis.faces_j; ++j) {
@@ -58,7 +59,8 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
         const double zl = eta_hi[l] - hl, zr = eta_lo[r] - hr, sill = std::max(zl, zr);
         const double turned_l = wall_share(sill - zl, k[l] * hl, spacing) * (wall_flux(hl, un_hi[l], gl) - pressure(hl, gl));
         const double turned_r = wall_share(sill - zr, k[r] * hr, spacing) * (wall_flux(hr, -un_lo[r], gr) - pressure(hr, gr));
-        const double blocked = foot(hl, over_l, un_hi[l], weight[i], deep[i]);
+        const double gained = un_hi[l] - 0.5 * std::max(un[l - step], 0.0);
+        const double blocked = foot(hl, over_l, gained, weight[i], deep[i]);
         push_l = (pressure(hl, gl) - pressure(over_l, gl)) + (un_hi[l] > 0 ? std::max(turned_l, blocked) : turned_l);
         push_r = (pressure(hr, gr) - pressure(over_r, gr)) + turned_r;
       }
