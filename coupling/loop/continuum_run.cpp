@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <fstream>
 
+#include "continuum/errors.hpp"
 #include "coupling/loop/flow_side.hpp"
 #include "coupling/loop/gauges.hpp"
 #include "coupling/loop/mode_run.hpp"
@@ -41,12 +44,51 @@ class ContinuumRun : public ModeRun {
       w.overtopped += flow_->overtopped(k);
     }
     for (const GaugeSpec& gauge : scene_.record.gauges) w.gauges.push_back(read_gauge(flow_->model(), gauge));
+    watch_overflow(w);
   }
 
   FrameView frame() override { return flow_->frame(); }
   void save() override { save_bytes(options_.work_dir, "continuum.state", flow_->model().checkpoint()); }
-  void finish(RunEnd&) override {}
+  void finish(RunEnd&) override {
+    if (overflow_seen_) tell(last_time_, "warning: in all, " + overflow_sentence());
+  }
 
+  // Over its upper edges the method planes has nothing true to say, so it does not stay silent.
+  void watch_overflow(const WindowReport& w) {
+    last_time_ = w.time;
+    const int k = flow_->planes_obstacle();
+    if (k < 0) return;
+    const ObstacleSpec& o = scene_.obstacles[k];
+    const auto object = [&](bool& seen, const std::string& sentence) {
+      if (o.overflow == "error") throw NumericsError(sentence);
+      if (!seen) tell(w.time, "warning: " + sentence);
+      seen = true;
+    };
+    if (flow_->overtopped(k) > negligible_overflow * w.mass.initial) object(overflow_seen_, overflow_sentence());
+    if (w.obstacles[k].heap > o.height) object(heap_seen_, heap_sentence(o, w.obstacles[k].heap));
+  }
+
+  std::string overflow_sentence() const {
+    const int k = flow_->planes_obstacle();
+    const double mass = flow_->overtopped(k);
+    return fmt::format(
+        "{:.4g} kg ({:.3g} % of the release) came over the upper edges of {}, which method planes cannot describe; do not trust "
+        "what "
+        "lies behind it: lower eta, raise the obstacle, or use method step or mode coupled",
+        mass, 100 * mass / flow_->initial_mass(), scene_.obstacles[k].name);
+  }
+
+  static std::string heap_sentence(const ObstacleSpec& o, double heap) {
+    return fmt::format(
+        "the heap on the slope before {} stands {:.4g} m deep, above its upper edge at {:.4g} m; method planes holds it back as "
+        "an "
+        "endless wall would: raise the obstacle, or use method step or mode coupled",
+        o.name, heap, o.height);
+  }
+
+  static constexpr double negligible_overflow = 1e-6;  // share of the release
+  bool overflow_seen_ = false, heap_seen_ = false;
+  double last_time_ = 0;  // [s]
   std::unique_ptr<FlowSide> flow_;
   MomentumBook book_;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuum/planes/planes_model.hpp"
+#include "coupling/loop/flow_models.hpp"
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/release.hpp"
@@ -10,16 +12,11 @@
 namespace couloir {
 
 FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int threads) : density_(scene.material.density) {
-  SolverSettings settings = solver_settings(scene);
-  settings.threads = threads;
   const StepBed bed = step_bed(scene);
-  if (scene.continuum.scheme == "noc") {
-    model_ = std::make_unique<NocSolver>(settings, surface, noc_bed(scene));
-  } else {
-    auto solver = std::make_unique<Solver>(settings, surface, bed);
-    solver_ = solver.get();
-    model_ = std::move(solver);
-  }
+  model_ = flow_model(scene, surface, bed, threads);
+  solver_ = dynamic_cast<Solver*>(model_.get());
+  planes_ = dynamic_cast<PlanesModel*>(model_.get());
+  planes_obstacle_ = couloir::planes_obstacle(scene);
   const Grid& grid = model_->grid();
 
   bed_.assign(std::size_t(grid.nx) * grid.ny, 0.0);
@@ -41,6 +38,8 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
       return FlowState{scale * q.h, scale * q.hu, scale * q.hv};
     });
   }
+  model_->gather(h_, hu_, hv_);
+  least_climbing_ = std::max(1e-6, 0.01 * *std::ranges::max_element(h_));
   initial_mass_ = density_ * model_->volume();
   momentum_before_ = momentum();
 }
@@ -123,11 +122,16 @@ ObstacleForce FlowSide::force(int id, double window) {
   for (int q = 0; q < 2; ++q) out.force[q] = density_ * (impulse[q] - impulse_[id][q]) / window;
   impulse_[id] = impulse;
   for (const Cell& c : top_[id]) out.depth_on_top = std::max(out.depth_on_top, model_->at(c.i, c.j).h);
+  if (id == planes_obstacle_) {
+    out.overflow = overtopped(id);
+    out.heap = planes_->heap();
+    out.climbed = planes_->climbed(least_climbing_);
+  }
   return out;
 }
 
 double FlowSide::overtopped(int id) const {
-  return density_ * model_->gauge(gauge_[id]);
+  return id == planes_obstacle_ ? density_ * planes_->overflow() : density_ * model_->gauge(gauge_[id]);
 }
 
 FrameView FlowSide::frame() {
@@ -137,7 +141,30 @@ FrameView FlowSide::frame() {
   view.hu = &hu_;
   view.hv = &hv_;
   if (solver_) view.zone = solver_->covered();
+  if (planes_) {
+    gather_planes();
+    view.planes = &plane_views_;
+  }
   return view;
+}
+
+void FlowSide::gather_planes() {
+  constexpr std::pair<PlaneName, const char*> names[] = {{PlaneName::front, "front"},
+                                                         {PlaneName::back, "back"},
+                                                         {PlaneName::left, "left"},
+                                                         {PlaneName::right, "right"},
+                                                         {PlaneName::top, "top"}};
+  plane_views_.clear();
+  for (const auto& [name, word] : names) {
+    const PlaneFlow& plane = planes_->plane(name);
+    PlaneView view{planes_obstacle_, word, plane.grid(), {}, {}, {}};
+    for (int j = 0; j < view.grid.ny; ++j)
+      for (int i = 0; i < view.grid.nx; ++i) {
+        const FlowState q = plane.at(i, j);
+        view.h.push_back(q.h), view.ha.push_back(q.hu), view.hb.push_back(q.hv);
+      }
+    plane_views_.push_back(std::move(view));
+  }
 }
 
 }  // namespace couloir

@@ -1,6 +1,7 @@
 #pragma once
 // The solver's share of a run: built from the scene, read into the ledgers.
 
+#include <memory>
 #include <optional>
 
 #include "continuum/flow_model.hpp"
@@ -9,6 +10,8 @@
 #include "coupling/scene/scene.hpp"
 
 namespace couloir {
+
+class PlanesModel;
 
 class FlowSide {
  public:
@@ -30,17 +33,24 @@ class FlowSide {
   void report(WindowReport&);
   double momentum() const;                           // [N s] along x, present
   ObstacleForce force(int obstacle, double window);  // mean since the last call for this obstacle
-  double overtopped(int obstacle) const;             // [kg] through the plane of its crest since the start
+  // [kg] since the start, through the plane of its middle; where it is made of planes, over its upper edges.
+  double overtopped(int obstacle) const;
+  int planes_obstacle() const { return planes_obstacle_; }  // number of the one that is made of planes; -1: none
 
   FrameView frame();
 
  private:
   void lay_top(const ObstacleSpec&, int id, const StepBed&);
   int add_gauge(const ObstacleSpec&);
+  void gather_planes();
 
   double density_;
   std::unique_ptr<FlowModel> model_;
-  Solver* solver_ = nullptr;  // the same, where the scheme is central upwind
+  Solver* solver_ = nullptr;  // the same, where the scheme is central upwind and no obstacle is made of planes
+  PlanesModel* planes_ = nullptr;
+  int planes_obstacle_ = -1;
+  double least_climbing_ = 0;  // [m] thinner material does not count as having climbed
+  std::vector<PlaneView> plane_views_;
   std::vector<double> bed_;
   std::vector<int> gauge_;                      // by obstacle
   std::vector<std::array<double, 2>> impulse_;  // by obstacle, at the last call

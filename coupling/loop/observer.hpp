@@ -49,6 +49,10 @@ struct MomentumLedger {  // [N s] along the slope in this window, tilted frame
 struct ObstacleForce {
   Vec force{};              // [N] mean over the window; x along the slope, y across, z along the normal
   double depth_on_top = 0;  // [m] largest, at the window's end
+  // Method planes only; the last two at the window's end.
+  double overflow = 0;  // [kg] over the upper edges since the start
+  double heap = 0;      // [m] greatest depth on the slope along the foot of its front
+  double climbed = 0;   // [m] how high its front is covered by 1 % of the greatest depth at the start
 };
 
 struct GaugeReading {
@@ -74,13 +78,22 @@ struct WindowReport {
   double overtopped = 0;   // [kg] net over all obstacles since the start
 };
 
+// The flow on one plane of an obstacle of method planes: h [m], momenta along the plane's axes [m2/s], [j * nx + i].
+struct PlaneView {
+  int obstacle = 0;  // number
+  std::string name;  // front, back: axes (z, y); left, right: (x, z); top: (x, y)
+  Grid grid;
+  std::vector<double> h, ha, hb;
+};
+
 struct FrameView {
   double time = 0;
   long index = 0;
   const std::vector<double>*h = nullptr, *hu = nullptr,
-        *hv = nullptr;             // whole domain, coarse-grained in the zone; null in grains mode
-  CellBox zone;                    // empty: no zone
-  const Grains* grains = nullptr;  // null: none; positions in the tilted frame
+        *hv = nullptr;                             // whole domain, coarse-grained in the zone; null in grains mode
+  CellBox zone;                                    // empty: no zone
+  const std::vector<PlaneView>* planes = nullptr;  // null: none
+  const Grains* grains = nullptr;                  // null: none; positions in the tilted frame
 };
 
 struct Event {

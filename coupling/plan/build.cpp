@@ -105,7 +105,7 @@ SolverSettings solver_settings(const Scene& scene) {
 StepBed step_bed(const Scene& scene) {
   StepBed bed;
   for (const ObstacleSpec& o : scene.obstacles) {
-    const double step = o.method == ObstacleSpec::Method::step ? o.height : 0;
+    const double step = o.method == ObstacleSpec::Method::elevation ? 0 : o.height;
     bed.obstacles.push_back({o.name, o.x, o.x + o.length, o.y - o.width / 2, o.y + o.width / 2, step});
   }
   const Elevation smooth = elevation(scene);

@@ -83,12 +83,21 @@ struct Listing {
     if (s.obstacles.empty()) return {"obstacles", false, "the scene has none"};
     auto steps = bodies(ObstacleSpec::Method::step);
     const auto smooth = bodies(ObstacleSpec::Method::elevation);
+    auto planes = bodies(ObstacleSpec::Method::planes);
+    if (!continuum || coupled) {
+      steps.insert(steps.end(), planes.begin(), planes.end());  // grains meet solid bodies
+      planes.clear();
+    }
     if (!continuum) {
       steps.insert(steps.end(), smooth.begin(), smooth.end());
       return {"obstacles", true, fmt::format("solid bodies: {}", fmt::join(steps, ", "))};
     }
     std::string text = steps.empty() ? "" : fmt::format("steps of the bed: {}", fmt::join(steps, ", "));
     if (!smooth.empty()) text += fmt::format("{}bed elevation: {}", steps.empty() ? "" : "; ", fmt::join(smooth, ", "));
+    for (const ObstacleSpec& o : s.obstacles) {
+      if (planes.empty() || o.method != ObstacleSpec::Method::planes) continue;
+      text += fmt::format("{}five planes, eta {:g}: {}", text.empty() ? "" : "; ", o.eta, planes.front());
+    }
     return {"obstacles", true, text};
   }
 

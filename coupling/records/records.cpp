@@ -235,6 +235,7 @@ void Records::on_frame(const FrameView& view) {
     const h5::Handle frame = h5::create_group(frames_, fmt::format("{:06d}", view.index));
     h5::put(frame, "time", std::vector<double>{view.time}, {}, {"s", "simulated time"});
     if (view.h) write_flow(frame, view);
+    if (view.planes) write_planes(frame, *view.planes);
     if (view.grains) write_grains(frame, *view.grains);
     h5::flush(file_, path_);
   });
@@ -255,6 +256,23 @@ void Records::write_flow(hid_t frame, const FrameView& view) {
           std::vector<double>{grid_.x0 + z.i0 * grid_.dx, grid_.x0 + z.i1 * grid_.dx, grid_.y0 + z.j0 * grid_.dy,
                               grid_.y0 + z.j1 * grid_.dy},
           {4}, {"m", "rectangle that the grains hold: x from, to; y from, to"});
+}
+
+void Records::write_planes(hid_t frame, const std::vector<PlaneView>& planes) {
+  const h5::Handle group = h5::create_group(frame, "planes");
+  for (const PlaneView& plane : planes) {
+    const h5::Handle own = h5::create_group(group, plane.name);
+    const hsize_t na = plane.grid.nx, nb = plane.grid.ny;
+    std::vector<double> a, b;
+    for (int i = 0; i < plane.grid.nx; ++i) a.push_back(plane.grid.x(i));
+    for (int j = 0; j < plane.grid.ny; ++j) b.push_back(plane.grid.y(j));
+    h5::put(own, "a", a, {na}, {"m", "cell centres along the plane's first axis: up (front, back), down the slope (others)"});
+    h5::put(own, "b", b, {nb},
+            {"m", "along its second axis: across from the obstacle's middle (front, back, top), up (left, right)"});
+    h5::put(own, "h", plane.h, {nb, na}, {"m", "depth along the plane's own normal"});
+    h5::put(own, "ha", plane.ha, {nb, na}, {"m2/s", "depth times velocity along the first axis"});
+    h5::put(own, "hb", plane.hb, {nb, na}, {"m2/s", "depth times velocity along the second axis"});
+  }
 }
 
 void Records::write_grains(hid_t frame, const Grains& grains) {

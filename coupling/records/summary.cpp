@@ -50,10 +50,12 @@ void Summary::on_start(const RunStart& start) {
   has_continuum_ = start.grid.nx > 0;
   cells_ = long(start.grid.nx) * start.grid.ny;
   effects_ = start.effects;
-  for (const std::string& name : start.obstacles) obstacles_.push_back({name, {}, 0, 0, 0});
+  for (const std::string& name : start.obstacles) obstacles_.push_back({name, {}});
   if (has_continuum_)
     for (const GaugeSpec& gauge : scene.record.gauges) gauges_.push_back({gauge.name, {}});
   for (const ForceMeasure& m : start.measures) measures_.push_back({m, {}, 0});
+  for (std::size_t k = 0; k < obstacles_.size() && scene.mode == Mode::continuum; ++k)
+    obstacles_[k].planes = scene.obstacles[k].method == ObstacleSpec::Method::planes;
   if (resume_time_ >= 0) read_back();
 }
 
@@ -107,6 +109,9 @@ void Summary::take(const WindowReport& window) {
     obstacles_[k].impulse_across += f[1] * window.length;
     obstacles_[k].max_depth = std::max(obstacles_[k].max_depth, window.obstacles[k].depth_on_top);
     obstacles_[k].depth_final = window.obstacles[k].depth_on_top;
+    obstacles_[k].overflow = window.obstacles[k].overflow;
+    obstacles_[k].max_heap = std::max(obstacles_[k].max_heap, window.obstacles[k].heap);
+    obstacles_[k].max_climbed = std::max(obstacles_[k].max_climbed, window.obstacles[k].climbed);
   }
   for (std::size_t k = 0; k < gauges_.size() && k < window.gauges.size(); ++k)
     gauges_[k].series.add(window.time, window.length, window.gauges[k]);
@@ -168,6 +173,8 @@ void Summary::on_finish(const RunEnd& end) {
                                 {"impulse_across", o.impulse_across},
                                 {"max_depth_on_top", o.max_depth},
                                 {"depth_on_top_final", o.depth_final}};
+    if (o.planes)
+      out["obstacles"][o.name].update({{"overflow", o.overflow}, {"max_heap", o.max_heap}, {"max_climbed", o.max_climbed}});
   }
   out["gauges"] = Json::object();
   for (const Gauge& gauge : gauges_) {

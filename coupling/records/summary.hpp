@@ -13,6 +13,8 @@
 //   (null: never),
 //             .impulse, .impulse_across: of the component along the slope, defined in force_series.hpp
 //             .max_depth_on_top, .depth_on_top_final [m]: greatest depth on its top, over the run and at the end
+//             method planes also: .overflow [kg] over its upper edges, .max_heap [m] on the slope along its foot, .max_climbed
+//             [m]
 //   gauges.<name> .max_depth, .max_depth_time, .depth_final, .depth_mean, .velocity_mean, .max_speed, .arrival (null: never):
 //             gauge_series.hpp; none in grains mode
 //   obstacles.<name>.<kind>, walls.<side>  the force by other measures (loop/force_measures.hpp): .maximum, the largest window's
@@ -51,6 +53,8 @@ class Summary : public Observer {
     std::string name;
     ForceSeries along;
     double impulse_across = 0, max_depth = 0, depth_final = 0;
+    bool planes = false;
+    double overflow = 0, max_heap = 0, max_climbed = 0;
   };
   struct Gauge {
     std::string name;

@@ -187,6 +187,34 @@ struct Checker {
            "is {} by {} on the bed, thinner than a cell ({}), so that the mesh would not see it; use smaller cells",
            len(o.length), len(o.width), len(cell));
     }
+    if (o.method == ObstacleSpec::Method::planes) planes(o, key);
+  }
+
+  // The one cuboid of five planes. Grains meet its solid body instead, so the method then has no say.
+  void planes(const ObstacleSpec& o, const std::string& key) const {
+    if (o.shape != ObstacleSpec::Shape::cuboid) fail(key + ".method", "is planes, which only a cuboid has; use elevation");
+    if (scene.mode == Mode::grains) return;
+    if (scene.mode == Mode::coupled) {
+      if (!scene.grains.zone || scene.grains.zone->holds(o)) return;
+      fail(key + ".method",
+           "is planes, which mode coupled has only where grains hold the obstacle; enlarge grains.zone, or use step");
+    }
+    const auto planes = [](const ObstacleSpec& other) { return other.method == ObstacleSpec::Method::planes; };
+    if (std::ranges::count_if(scene.obstacles, planes) > 1) {
+      fail(key + ".method", "is planes, and so is that of another obstacle: one a scene; use step for the others");
+    }
+    if (scene.release.kind != ReleaseSpec::Kind::uniform && overlaps_release(o)) {
+      fail(key, "stands in the release, where method planes cannot start; move one of them");
+    }
+    const double cell = scene.continuum.cell;
+    if (o.x < 0.5 * cell) fail(key + ".position", "leaves no slope before the obstacle's front plane; move it down");
+    const bool beside = o.y - o.width / 2 < -width() / 2 + 0.5 * cell || o.y + o.width / 2 > width() / 2 - 0.5 * cell;
+    if (beside && scene.sides[2].kind == SideSpec::Kind::periodic) {
+      fail(key + ".size", "reaches a periodic side, where planes cannot go on; make it narrower, or the sides walls");
+    }
+    if (o.x + o.length > length() - 0.5 * cell && scene.sides[1].kind == SideSpec::Kind::periodic) {
+      fail(key + ".position", "reaches a periodic side, where planes cannot go on; move it up");
+    }
   }
 
   bool overlaps_release(const ObstacleSpec& o) const {
@@ -224,6 +252,10 @@ struct Checker {
         fail("obstacles." + o.name,
              "is a step of the bed, which scheme noc cannot have: it knows obstacles by the bed's slope alone; use method: "
              "elevation, or continuum.scheme: central_upwind");
+      }
+      if (noc && o.method == ObstacleSpec::Method::planes) {
+        fail("obstacles." + o.name + ".method",
+             "is planes, which scheme noc does not have; use continuum.scheme: central_upwind");
       }
     }
   }

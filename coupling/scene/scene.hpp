@@ -58,14 +58,17 @@ struct ObstacleSpec {
   // tetrahedron: on a triangle with one corner upstream and an edge across the slope downstream, peak above its centre (4.2),
   // (4.3)
   enum class Shape { cuboid, tetrahedron };
-  enum class Method { step, elevation };  // what the continuum makes of it: a jump of the bed, or a smooth bed height z_b(x, y)
+  // What the continuum makes of it: a jump of the bed, a smooth bed height z_b(x, y), or planes of its own (chapter 6).
+  enum class Method { step, elevation, planes };
 
   std::string name;
   double x = 0, y = 0;                       // [m] middle of the upstream edge of the footprint; tetrahedron: its upstream corner
   double length = 0, width = 0, height = 0;  // [m] of the base along the slope and across it; along the normal
   Shape shape = Shape::cuboid;
   Method method = Method::step;
-  double ramp = 0;  // [m] cuboid by elevation: length within which its sides rise; 0: automatic
+  double ramp = 0;                // [m] cuboid by elevation: length within which its sides rise; 0: automatic
+  double eta = 0.8;               // planes: share of the velocity that the edge at its foot passes on
+  std::string overflow = "warn";  // planes: | error, when material comes over its upper edges
 
   bool covers(double x, double y) const;  // whether its base holds this place, edge included
   double base_area() const;               // [m2]

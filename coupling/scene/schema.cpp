@@ -168,8 +168,8 @@ void add_obstacles(Keys& k) {
   k.add(choice(
       "obstacles.*.method",
       "of the continuum; step: the bed jumps, nothing flows through; elevation: a smooth bed height, (4.4)-(4.9), as a "
-      "tetrahedron always is",
-      {"step", "elevation"}, [](auto& s, int i) -> auto& { return s.obstacles[i].method; }));
+      "tetrahedron always is; planes: a cuboid of five planes of their own, on which the flow climbs and falls back",
+      {"step", "elevation", "planes"}, [](auto& s, int i) -> auto& { return s.obstacles[i].method; }));
   k.add(number(
             "obstacles.*.ramp", length,
             "of a cuboid: its sides rise within this length inside its base, (4.6); none: one cell, at most a quarter of the "
@@ -178,6 +178,15 @@ void add_obstacles(Keys& k) {
             .above(0)
             .optional()
             .when("method", {"elevation"}));
+  k.add(number(
+            "obstacles.*.eta", none, "share of the velocity that the edge between slope and front plane passes on",
+            [](auto& s, int i) -> auto& { return s.obstacles[i].eta; })
+            .within(0, 1)
+            .when("method", {"planes"}));
+  k.add(word(
+            "obstacles.*.overflow", "what to do when material comes over the upper edges, which the method cannot describe",
+            {"warn", "error"}, [](auto& s, int i) -> auto& { return s.obstacles[i].overflow; })
+            .when("method", {"planes"}));
 }
 
 void add_inflow(Keys& k, const std::string& path, int side) {
