@@ -133,8 +133,8 @@ const PlanesModel::Impl::Shed& PlanesModel::Impl::shed_at(const PlaneEdge& e, in
   return below ? shed[static_cast<int>(e.one.side)] : none;
 }
 
-// Only what the slope gives can have been less than asked for. What it gets stays as it was found: a difference of sums with what is
-// shed there would, by its round-off, overdraw a plane that is all but empty.
+// Only what the slope gives can have been less than asked for. What it gets stays as it was found: a difference of sums with what
+// is shed there would, by its round-off, overdraw a plane that is all but empty.
 void PlanesModel::Impl::take_passed(double dt) {
   for (std::size_t n = 0; n < edges.size(); ++n) {
     const PlaneEdge& e = edges[n];
@@ -164,8 +164,13 @@ void PlanesModel::Impl::book_edges(double dt) {
     const auto enters = [&](const PlaneSide& s, double normal, double along) {
       if (s.plane == PlaneName::none || s.plane == PlaneName::slope) return;
       std::array<double, 2>& cause = e.kind == PlaneEdge::Kind::domain ? extra.boundary : extra.obstacles;
-      if (axis_across(s) < 2) cause[axis_across(s)] -= direction(s) * share * normal;
-      if (axis_along(s) < 2) cause[axis_along(s)] += share * along;
+      const auto give = [&](int axis, double amount) {
+        if (axis > 1) return;
+        cause[axis] += amount;
+        if (e.kind == PlaneEdge::Kind::domain) moved[axis] += amount;
+      };
+      give(axis_across(s), -direction(s) * share * normal);
+      give(axis_along(s), share * along);
     };
     enters(e.one, all.normal_1, -all.along);
     enters(e.two, all.normal_2, all.along);
@@ -184,6 +189,7 @@ void PlanesModel::Impl::book_planes(double dt, double front_volume) {
       extra.obstacles[axis[n]] += b.friction[n];
       extra.cutoff[axis[n]] += b.cutoff[n];
       impulse[axis[n]] -= b.friction[n];
+      moved[axis[n]] += b.gravity[n] + b.cutoff[n];
     }
     extra.mass_clipped += b.mass_clipped;
   }
@@ -191,6 +197,7 @@ void PlanesModel::Impl::book_planes(double dt, double front_volume) {
   extra.gravity[0] += weight;
   extra.obstacles[0] -= weight;
   impulse[0] += weight;
+  moved[0] += weight;
 }
 
 }  // namespace couloir

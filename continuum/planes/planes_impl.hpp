@@ -46,6 +46,15 @@ struct PlanesModel::Impl {
   bool fresh = false;
   Budget extra, sum;                // of edges and planes since the last reset; with the slope's
   std::array<double, 2> impulse{};  // on the cuboid [m4/s]
+  // What moved the planes' material and no body did (weight, walls, films' cut-off), less the momentum it has: what bodies took.
+  std::array<double, 2> planes_momentum() const;
+  std::array<double, 2> taken() const;
+  std::array<double, 2> moved{};  // [m4/s] since the start
+  struct Round {
+    int id;                         // the slope's box
+    std::array<double, 2> taken{};  // before
+  };
+  std::vector<Round> rounds;  // boxes that hold the cuboid
   double time = 0, overflow = 0;
 };
 

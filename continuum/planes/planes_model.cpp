@@ -9,7 +9,7 @@
 namespace couloir {
 namespace {
 
-constexpr std::uint64_t signature = 0x31656e616c706c63;  // changes with the layout
+constexpr std::uint64_t signature = 0x32656e616c706c63;  // changes with the layout
 constexpr double tall = 1e6;                             // [m] the slope's own steps see a wall that nothing passes
 
 void require(bool good, const char* sentence) {
@@ -149,13 +149,25 @@ double PlanesModel::volume() const {
 
 std::array<double, 2> PlanesModel::momentum() const {
   std::array<double, 2> sum = impl_->slope.momentum();
+  const auto on_planes = impl_->planes_momentum();
+  for (int k : {0, 1}) sum[k] += on_planes[k];
+  return sum;
+}
+
+std::array<double, 2> PlanesModel::Impl::planes_momentum() const {
+  std::array<double, 2> sum{};
   for (int p = 0; p < plane_count; ++p) {
-    const auto own = impl_->planes[p].momentum();
+    const auto own = planes[p].momentum();
     const PlaneAxes axes = axes_of(static_cast<PlaneName>(p));
     if (axes.a < 2) sum[axes.a] += own[0];
     if (axes.b < 2) sum[axes.b] += own[1];
   }
   return sum;
+}
+
+std::array<double, 2> PlanesModel::Impl::taken() const {
+  const auto has = planes_momentum();
+  return {moved[0] - has[0], moved[1] - has[1]};
 }
 
 double PlanesModel::min_depth() const {
@@ -179,6 +191,20 @@ void PlanesModel::step(double dt) {
 
 std::array<double, 2> PlanesModel::obstacle_impulse(int id) const {
   return id == impl_->cuboid ? impl_->impulse : impl_->slope.obstacle_impulse(id);
+}
+int PlanesModel::add_control_box(const CellBox& box) {
+  const CellBox& own = impl_->box;
+  const int id = impl_->slope.add_control_box(box);
+  if (box.i0 <= own.i0 && own.i1 <= box.i1 && box.j0 <= own.j0 && own.j1 <= box.j1) impl_->rounds.push_back({id, impl_->taken()});
+  return id;
+}
+std::array<double, 2> PlanesModel::control_box_impulse(int id) const {
+  std::array<double, 2> out = impl_->slope.control_box_impulse(id);
+  const auto now = impl_->taken();
+  for (const Impl::Round& r : impl_->rounds) {
+    for (int k = 0; r.id == id && k < 2; ++k) out[k] += now[k] - r.taken[k];
+  }
+  return out;
 }
 int PlanesModel::add_gauge(int i, int j0, int j1) {
   return impl_->slope.add_gauge(i, j0, j1);
@@ -209,7 +235,9 @@ std::vector<std::uint8_t> PlanesModel::checkpoint() const {
   put(signature), put(m.box), put(m.cells.nz), put(slope.size());
   put.bytes.insert(put.bytes.end(), slope.begin(), slope.end());
   for (const PlaneFlow& p : m.planes) p.save(put);
-  put(m.extra), put(m.impulse), put(m.time), put(m.overflow);
+  put(m.extra), put(m.impulse), put(m.moved), put(m.time), put(m.overflow);
+  put(static_cast<int>(m.rounds.size()));
+  for (const Impl::Round& r : m.rounds) put(r);
   return std::move(put.bytes);
 }
 
@@ -228,7 +256,10 @@ void PlanesModel::restore(const std::vector<std::uint8_t>& bytes) {
   for (PlaneFlow& p : m.planes) p.restore(in);
   m.extra = in.take<Budget>();
   m.impulse = in.take<std::array<double, 2>>();
+  m.moved = in.take<std::array<double, 2>>();
   m.time = in.take<double>(), m.overflow = in.take<double>();
+  m.rounds.resize(in.take<int>());
+  for (Impl::Round& r : m.rounds) r = in.take<Impl::Round>();
   m.fresh = false;
   if (!in.done()) throw std::invalid_argument("The continuum's checkpoint is longer than its state; restore an earlier one.");
 }

@@ -47,6 +47,10 @@ class PlanesModel final : public FlowModel {
   // Of the cuboid: what the edges of its foot take, the weight on its front and the friction on its planes. The turning about its
   // own convex edges is not part of it: real material leaves them and pulls at nothing. The budget has that too.
   std::array<double, 2> obstacle_impulse(int id) const override;
+  // Round the cuboid: slope and planes together. It sees the convex edges' turning too, so it is obstacle_impulse() without it
+  // only where nothing turns.
+  int add_control_box(const CellBox&) override;
+  std::array<double, 2> control_box_impulse(int id) const override;
   int add_gauge(int i, int j0, int j1) override;  // on the slope; faces under the cuboid count nothing
   double gauge(int id) const override;
 

@@ -118,8 +118,8 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
     sum_fx[i] += active ? lost_x : 0.0;
     sum_fy[i] += active ? lost_y : 0.0;
     if constexpr (keep_losses) {
-      kept_x[c] = lost_x + dropped_x;
-      kept_y[c] = lost_y + dropped_y;
+      kept_x[c] = active ? lost_x + dropped_x : 0.0;
+      kept_y[c] = active ? lost_y + dropped_y : 0.0;
     }
     sum_cx[i] += active ? dropped_x : 0.0;
     sum_cy[i] += active ? dropped_y : 0.0;

@@ -28,6 +28,7 @@ class ContinuumRun : public ModeRun {
     begin.grid = flow_->model().grid();
     begin.bed = flow_->bed();
     begin.obstacles = obstacle_names(scene_);
+    begin.planes_obstacle = flow_->planes_obstacle();
     begin.measures = flow_->measure(scene_, surface_, {});
     begin.effects = make_plan(scene_).effects;
     begin.bulk_density = flow_->density();

@@ -29,6 +29,7 @@ struct RunStart {
   Grid grid;                // nx = 0 in grains mode
   std::vector<double> bed;  // [m] elevation and step obstacles by cell, [j * nx + i]
   std::vector<std::string> obstacles;
+  int planes_obstacle = -1;  // number of the one that is made of planes; -1: none
   std::vector<ForceMeasure> measures;
   std::vector<Effect> effects;
   double bulk_density = 0;  // [kg/m3] that both models use

@@ -37,6 +37,12 @@ std::string first_difference(const RecordsReader& a, const RecordsReader& b) {
       const std::string text = difference("forces/" + name + "/" + column, a.force(name, column), b.force(name, column));
       if (!text.empty()) return text;
     }
+  if (a.planes() != b.planes()) return "the obstacles of method planes are not the same";
+  for (const std::string& name : a.planes())
+    for (const char* column : {"overflow", "heap", "climbed"}) {
+      const std::string text = difference("planes/" + name + "/" + column, a.planes(name, column), b.planes(name, column));
+      if (!text.empty()) return text;
+    }
   if (a.gauges() != b.gauges()) return "the gauges are not the same";
   for (const std::string& name : a.gauges())
     for (const char* column : {"depth", "velocity_along", "velocity_across"}) {

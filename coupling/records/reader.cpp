@@ -117,6 +117,15 @@ std::vector<ForceMeasure> RecordsReader::measures() const {
   return out;
 }
 
+std::vector<std::string> RecordsReader::planes() const {
+  if (!h5::exists(file_, "planes")) return {};
+  return h5::children(h5::create_group(file_, "planes"));
+}
+
+std::vector<double> RecordsReader::planes(const std::string& obstacle, const std::string& column) const {
+  return h5::numbers(file_, "planes/" + obstacle + "/" + column);
+}
+
 std::vector<double> RecordsReader::measure(const ForceMeasure& m, const std::string& column) const {
   return h5::numbers(file_, "measures/" + m.kind + "/" + m.of + "/" + column);
 }

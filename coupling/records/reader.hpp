@@ -34,7 +34,9 @@ class RecordsReader {
   std::vector<std::string> gauges() const;
   std::vector<double> gauge(const std::string& name, const std::string& column) const;  // "time", "depth", "velocity_along", ...
   std::vector<ForceMeasure> measures() const;                                           // empty in records without any
-  std::vector<double> measure(const ForceMeasure&, const std::string& column) const;    // "fx" or "fy"
+  std::vector<std::string> planes() const;                                              // obstacles of method planes
+  std::vector<double> planes(const std::string& obstacle, const std::string& column) const;  // "overflow", "heap" or "climbed"
+  std::vector<double> measure(const ForceMeasure&, const std::string& column) const;         // "fx" or "fy"
   std::vector<Event> events() const;
 
  private:

@@ -147,6 +147,13 @@ void Records::open_series(const RunStart& start) {
                        h5::Series(group, "fz", {"N", "force along the normal, mean over the window"}),
                        h5::Series(group, "depth_on_top", {"m", "largest depth on the obstacle's top at the window's end"})});
   }
+  planes_obstacle_ = start.planes_obstacle;
+  if (planes_obstacle_ >= 0) {
+    const h5::Handle group = h5::create_group(h5::create_group(file_, "planes"), start.obstacles[planes_obstacle_]);
+    planes_ = {h5::Series(group, "overflow", {"kg", "mass that came over the upper edges since the start"}),
+               h5::Series(group, "heap", {"m", "greatest depth on the slope along the foot of the front, at the window's end"}),
+               h5::Series(group, "climbed", {"m", "how high the front is covered, at the window's end"})};
+  }
   const h5::Handle gauges = h5::create_group(file_, "gauges");
   for (const GaugeSpec& gauge : start.scene->record.gauges) {
     const h5::Handle group = h5::create_group(gauges, gauge.name);
@@ -180,6 +187,8 @@ void Records::drop_after(double time) {
   for (GaugeColumns& g : gauges_)
     for (h5::Series* series : {&g.time, &g.depth, &g.along, &g.across}) series->keep(windows);
   for (MeasureColumns& m : measures_) m.fx.keep(windows), m.fy.keep(windows);
+  if (planes_)
+    for (h5::Series* series : {&planes_->overflow, &planes_->heap, &planes_->climbed}) series->keep(windows);
   event_time_->keep(events);
   event_text_->keep(events);
   for (const std::string& name : h5::children(frames_))
@@ -210,6 +219,12 @@ void Records::on_window(const WindowReport& window) {
     measures_[k].fx.add(window.measures[k][0]);
     measures_[k].fy.add(window.measures[k][1]);
   }
+  if (planes_) {
+    const ObstacleForce& o = window.obstacles[planes_obstacle_];
+    planes_->overflow.add(o.overflow);
+    planes_->heap.add(o.heap);
+    planes_->climbed.add(o.climbed);
+  }
   if (++waiting_ < kWaitingWindows) return;
   guarded([&] {
     write_waiting();
@@ -224,6 +239,8 @@ void Records::write_waiting() {
   for (GaugeColumns& g : gauges_)
     for (h5::Series* series : {&g.time, &g.depth, &g.along, &g.across}) series->write();
   for (MeasureColumns& m : measures_) m.fx.write(), m.fy.write();
+  if (planes_)
+    for (h5::Series* series : {&planes_->overflow, &planes_->heap, &planes_->climbed}) series->write();
   event_time_->write();
   event_text_->write();
   waiting_ = 0;

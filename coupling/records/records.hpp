@@ -11,6 +11,7 @@
 //   /frames/<000000>/grains/{id,x,y,z,vx,vy,vz,radius,driven,position,velocity}
 //   /windows/{time,length,mass_*,momentum_*,grains,...}    one row a window
 //   /forces/<obstacle>/{time,fx,fy,fz,depth_on_top}        one row a window
+//   /planes/<obstacle>/{overflow,heap,climbed}             one row a window, of an obstacle of method planes
 //   /gauges/<name>/{time,depth,velocity_along,velocity_across}    one row a window
 //   /measures/<kind>/<of>/{fx,fy}                          one row a window: force by other measures, force_measures.hpp
 //   /events/{time,text}
@@ -46,6 +47,9 @@ class Records : public Observer {
   struct ForceColumns {
     h5::Series time, fx, fy, fz, depth_on_top;
   };
+  struct PlanesColumns {
+    h5::Series overflow, heap, climbed;
+  };
   struct MeasureColumns {
     h5::Series fx, fy;
   };
@@ -75,6 +79,8 @@ class Records : public Observer {
   h5::Handle file_, frames_;
   std::vector<h5::Series> columns_;  // as window_columns()
   std::vector<ForceColumns> forces_;
+  int planes_obstacle_ = -1;  // number
+  std::optional<PlanesColumns> planes_;
   std::vector<GaugeColumns> gauges_;
   std::vector<MeasureColumns> measures_;
   std::optional<h5::Series> event_time_;

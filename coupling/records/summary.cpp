@@ -54,8 +54,7 @@ void Summary::on_start(const RunStart& start) {
   if (has_continuum_)
     for (const GaugeSpec& gauge : scene.record.gauges) gauges_.push_back({gauge.name, {}});
   for (const ForceMeasure& m : start.measures) measures_.push_back({m, {}, 0});
-  for (std::size_t k = 0; k < obstacles_.size() && scene.mode == Mode::continuum; ++k)
-    obstacles_[k].planes = scene.obstacles[k].method == ObstacleSpec::Method::planes;
+  planes_ = start.planes_obstacle;
   if (resume_time_ >= 0) read_back();
 }
 
@@ -72,6 +71,11 @@ void Summary::read_back() {
   for (const Obstacle& o : obstacles_)
     forces.push_back(
         {run.force(o.name, "fx"), run.force(o.name, "fy"), run.force(o.name, "fz"), run.force(o.name, "depth_on_top")});
+  std::array<std::vector<double>, 3> planes;
+  if (planes_ >= 0) {
+    const std::string& name = obstacles_[planes_].name;
+    planes = {run.planes(name, "overflow"), run.planes(name, "heap"), run.planes(name, "climbed")};
+  }
   std::vector<std::array<std::vector<double>, 3>> gauges;
   for (const Gauge& g : gauges_)
     gauges.push_back({run.gauge(g.name, "depth"), run.gauge(g.name, "velocity_along"), run.gauge(g.name, "velocity_across")});
@@ -84,6 +88,10 @@ void Summary::read_back() {
     window.min_depth = depth[k], window.max_overlap = overlap[k], window.max_speed = speed[k];
     window.grains = long(grains[k]);
     for (const auto& f : forces) window.obstacles.push_back({{f[0][k], f[1][k], f[2][k]}, f[3][k]});
+    if (planes_ >= 0) {
+      ObstacleForce& o = window.obstacles[planes_];
+      o.overflow = planes[0][k], o.heap = planes[1][k], o.climbed = planes[2][k];
+    }
     for (const auto& g : gauges) window.gauges.push_back({g[0][k], g[1][k], g[2][k]});
     for (const auto& f : measures) window.measures.push_back({f[0][k], f[1][k]});
     mass_error_ = std::max(mass_error_, error[k]);
@@ -109,9 +117,12 @@ void Summary::take(const WindowReport& window) {
     obstacles_[k].impulse_across += f[1] * window.length;
     obstacles_[k].max_depth = std::max(obstacles_[k].max_depth, window.obstacles[k].depth_on_top);
     obstacles_[k].depth_final = window.obstacles[k].depth_on_top;
-    obstacles_[k].overflow = window.obstacles[k].overflow;
-    obstacles_[k].max_heap = std::max(obstacles_[k].max_heap, window.obstacles[k].heap);
-    obstacles_[k].max_climbed = std::max(obstacles_[k].max_climbed, window.obstacles[k].climbed);
+  }
+  if (planes_ >= 0) {
+    const ObstacleForce& o = window.obstacles[planes_];
+    overflow_ = o.overflow;
+    max_heap_ = std::max(max_heap_, o.heap);
+    max_climbed_ = std::max(max_climbed_, o.climbed);
   }
   for (std::size_t k = 0; k < gauges_.size() && k < window.gauges.size(); ++k)
     gauges_[k].series.add(window.time, window.length, window.gauges[k]);
@@ -173,8 +184,10 @@ void Summary::on_finish(const RunEnd& end) {
                                 {"impulse_across", o.impulse_across},
                                 {"max_depth_on_top", o.max_depth},
                                 {"depth_on_top_final", o.depth_final}};
-    if (o.planes)
-      out["obstacles"][o.name].update({{"overflow", o.overflow}, {"max_heap", o.max_heap}, {"max_climbed", o.max_climbed}});
+  }
+  if (planes_ >= 0) {
+    out["obstacles"][obstacles_[planes_].name].update(
+        {{"overflow", overflow_}, {"max_heap", max_heap_}, {"max_climbed", max_climbed_}});
   }
   out["gauges"] = Json::object();
   for (const Gauge& gauge : gauges_) {

@@ -53,8 +53,6 @@ class Summary : public Observer {
     std::string name;
     ForceSeries along;
     double impulse_across = 0, max_depth = 0, depth_final = 0;
-    bool planes = false;
-    double overflow = 0, max_heap = 0, max_climbed = 0;
   };
   struct Gauge {
     std::string name;
@@ -74,6 +72,8 @@ class Summary : public Observer {
   bool has_continuum_ = false;
   long cells_ = 0;
   std::vector<Obstacle> obstacles_;
+  int planes_ = -1;  // number of the one that is made of planes
+  double overflow_ = 0, max_heap_ = 0, max_climbed_ = 0;
   std::vector<Gauge> gauges_;
   std::vector<Measure> measures_;
   std::vector<Effect> effects_;

@@ -83,6 +83,8 @@ TEST(PlanesRun, ScenesThatAreRefused) {
                                     {"boundaries.left", "periodic"},
                                     {"boundaries.right", "periodic"}}),
               HasSubstr("reaches a periodic side"));
+  EXPECT_THAT(refusal("continuum", {{"obstacles.wall.method", "planes"}, {"continuum.scheme", "noc"}}),
+              HasSubstr("is planes, which scheme noc does not have; use continuum.scheme: central_upwind"));
   EXPECT_THAT(refusal("coupled", {{"obstacles.post", "{position: [520 mm, 0], size: [20 mm, 20 mm, 20 mm], method: planes}"}}),
               HasSubstr("only where grains hold the obstacle"));
 }

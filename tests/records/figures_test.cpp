@@ -155,12 +155,22 @@ TEST(Summary, TellsOfAnInterruptedRun) {
 }
 
 TEST(Summary, OfAContinuedRunIsThatOfTheWhole) {
-  const TemporaryFolder folder;
-  const SyntheticRun run(Mode::coupled);
-  record(run, folder / "a");
-  Summary summary(folder / "continued.json", folder / "a/records.h5", 0.15);
-  run.play({&summary}, 0.15);
-  EXPECT_EQ(nlohmann::json::parse(summary.text()), nlohmann::json::parse(read_text(folder / "a/summary.json")));
+  for (const bool planes : {false, true}) {
+    const TemporaryFolder folder;
+    SyntheticRun run(planes ? Mode::continuum : Mode::coupled);
+    run.planes = planes;
+    record(run, folder / "a");
+    Summary summary(folder / "continued.json", folder / "a/records.h5", 0.15);
+    run.play({&summary}, 0.15);
+    const auto whole = nlohmann::json::parse(read_text(folder / "a/summary.json"));
+    EXPECT_EQ(nlohmann::json::parse(summary.text()), whole);
+    const auto& wall = whole["obstacles"]["wall"];
+    ASSERT_EQ(wall.contains("overflow"), planes);
+    if (!planes) continue;
+    EXPECT_NEAR(wall["overflow"], 0.04, 1e-15);
+    EXPECT_NEAR(wall["max_heap"], 0.05, 1e-15);
+    EXPECT_NEAR(wall["max_climbed"], 0.08, 1e-15);
+  }
 }
 
 std::vector<std::string> lines_of(const std::string& path) {

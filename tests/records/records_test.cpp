@@ -149,7 +149,8 @@ TEST(Records, StayReadableWhenTheRunIsKilled) {
 // Interrupted at 0.35 s, after the second event, continued from a checkpoint at 0.15 s: the same as the run in one piece.
 TEST(Records, OfAContinuedRunAreThoseOfTheUnbrokenOne) {
   const TemporaryFolder folder;
-  const SyntheticRun run(Mode::coupled);
+  SyntheticRun run(Mode::coupled);
+  run.planes = true;
   record(run, folder / "whole");
   std::filesystem::create_directories(folder / "broken");
   const std::string path = folder / "broken/records.h5", csv = folder / "broken/forces.csv";
@@ -168,6 +169,8 @@ TEST(Records, OfAContinuedRunAreThoseOfTheUnbrokenOne) {
   }
   const RecordsReader whole(folder / "whole/records.h5"), broken(path);
   EXPECT_EQ(first_difference(whole, broken), "");
+  EXPECT_EQ(broken.planes(), std::vector<std::string>{"wall"});
+  EXPECT_EQ(broken.planes("wall", "heap")[300], run.window(300).obstacles[0].heap);
   EXPECT_EQ(broken.text("status"), "done");
   EXPECT_EQ(broken.events().size(), 2u);
   for (const char* name : {"forces.csv", "flow.xdmf", "grains.xdmf"})

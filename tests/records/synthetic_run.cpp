@@ -68,6 +68,7 @@ RunStart SyntheticRun::start() const {
       out.bed.push_back(wall ? kWallHeight : 0);
     }
   out.obstacles = {"wall"};
+  if (planes) out.planes_obstacle = 0;
   out.measures = {{"wall", "control_volume"}, {"left", "wall"}};
   out.effects = {{"curvature", true, "the surface has an arc of radius 0.5 m at x = 0.9 m"},
                  {"earth pressure", true, "the material's angles 40 and 30 deg differ"},
@@ -106,6 +107,11 @@ WindowReport SyntheticRun::window(long k) const {
   w.momentum.residual = 1e-9 * (1 + k % 5);
   w.momentum.scale = kMass * speed(t);
   w.obstacles.push_back({{force(t), 0.1 * force(t), -0.2 * force(t)}, t > 0.2 ? 0.004 : 0});
+  if (planes) {
+    w.obstacles[0].overflow = 0.1 * t;
+    w.obstacles[0].heap = 0.05 - 0.1 * std::abs(t - 0.1);
+    w.obstacles[0].climbed = 0.08 - 0.1 * std::abs(t - 0.12);
+  }
   w.measures = {{1.5 * force(t), 0.25 * force(t)}, {0.125, -2 - force(t)}};
   w.grains = with_grains ? long(4000 * (scene.mode == Mode::grains ? 2.5 : share)) : 0;
   w.returned = with_grains ? long(800 * share * share) : 0;

@@ -32,6 +32,7 @@ struct SyntheticRun {
   ReferenceSurface surface;
   Grid grid;
   double scale;
+  bool planes = false;  // the wall is made of planes: a heap that is deepest at 0.1 s, a climb that is highest at 0.12 s
 };
 
 // A folder that is gone when the test ends.
