@@ -102,9 +102,9 @@ std::string quantity_of_path(std::string_view path) {
   const bool measure = name == "maximum" || name == "peak" || name == "mean" || name == "final";
   if (name.starts_with("force") || (measure && (path.starts_with("obstacles.") || path.starts_with("walls.")))) return "a force";
   if (name.starts_with("impulse")) return "an impulse";
-  if (has("depth")) return describe(Dimension::length);
+  if (has("depth") || name == "max_heap" || name == "max_climbed") return describe(Dimension::length);
   if (has("speed") || has("velocity")) return describe(Dimension::velocity);
-  if (path.starts_with("mass.")) return describe(Dimension::mass);
+  if (path.starts_with("mass.") || name == "overflow") return describe(Dimension::mass);
   return "";
 }
 
