@@ -138,6 +138,8 @@ TEST(CheckUnit, KnowsScalesAndForces) {
   EXPECT_THROW(parse_check_unit("33"), std::invalid_argument);
   EXPECT_EQ(quantity_of_path("obstacles.wall.force_peak_time"), "a time");
   EXPECT_EQ(quantity_of_path("obstacles.wall.depth_on_top_final"), "a length");
+  EXPECT_EQ(quantity_of_path("obstacles.wall.max_climbed"), "a length");
+  EXPECT_EQ(quantity_of_path("obstacles.wall.overflow"), "a mass");
 }
 
 }  // namespace
