@@ -85,7 +85,7 @@ struct Listing {
     const auto smooth = bodies(ObstacleSpec::Method::elevation);
     auto planes = bodies(ObstacleSpec::Method::planes);
     if (!continuum || coupled) {
-      steps.insert(steps.end(), planes.begin(), planes.end());  // grains meet solid bodies
+      for (const std::string& name : planes) steps.push_back(name + ", not of planes: grains meet solid bodies");
       planes.clear();
     }
     if (!continuum) {

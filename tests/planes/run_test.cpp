@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "continuum/errors.hpp"
+#include "coupling/plan/plan.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "tests/loop/small_run.hpp"
 
@@ -65,6 +66,18 @@ TEST(PlanesRun, SaysThatAHeapOutgrowsTheWall) {
                             options_in(fresh_folder("planes_heap")));
   ASSERT_FALSE(run.events.empty());
   EXPECT_THAT(run.events.front().what, HasSubstr("the heap on the slope before wall stands"));
+}
+
+// Mode coupled has a solid body instead, and the plan says so.
+TEST(PlanesRun, ThePlanNamesWhatStandsThere) {
+  const auto reason = [](const char* mode) {
+    for (const Effect& e :
+         make_plan(small_scene(mode, {{"obstacles.wall.method", "planes"}, {"obstacles.wall.eta", "0.7"}})).effects)
+      if (e.name == "obstacles") return e.reason;
+    return std::string();
+  };
+  EXPECT_THAT(reason("continuum"), HasSubstr("five planes, eta 0.7: wall"));
+  EXPECT_THAT(reason("coupled"), HasSubstr("not of planes: grains meet solid bodies"));
 }
 
 TEST(PlanesRun, ScenesThatAreRefused) {
