@@ -203,8 +203,8 @@ void Summary::on_finish(const RunEnd& end) {
   out["walls"] = Json::object();
   for (const Measure& m : measures_) {
     const ForceFigures f = m.series.figures();
-    Json figures{
-        {"maximum", f.peak_window}, {"peak", f.peak}, {"peak_time", f.peak_time}, {"mean", f.mean}, {"impulse", f.impulse}};
+    Json figures{{"maximum", f.peak_window}, {"peak", f.peak},   {"peak_time", f.peak_time},
+                 {"mean", f.mean},           {"final", f.final}, {"impulse", f.impulse}};
     if (m.what.kind == "wall") {
       out["walls"][m.what.of] = figures;
     } else {

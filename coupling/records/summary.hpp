@@ -9,8 +9,8 @@
 //   momentum  .relative_residual: largest |residual| / scale of all windows
 //   continuum .cells, .steps, .cell_updates, .cell_updates_per_second (of cpu_continuum), .min_depth [m] (null: no continuum)
 //   grains    .inserted, .returned, .peak_count, .steps, .particle_steps, .particle_steps_per_second (of cpu_engine),
-//   .max_overlap obstacles.<name> .force_peak, .force_peak_time, .force_peak_window, .force_mean, .force_final, .first_contact
-//   (null: never),
+//             .max_overlap
+//   obstacles.<name> .force_peak, .force_peak_time, .force_peak_window, .force_mean, .force_final, .first_contact (null: never),
 //             .impulse, .impulse_across: of the component along the slope, defined in force_series.hpp
 //             .max_depth_on_top, .depth_on_top_final [m]: greatest depth on its top, over the run and at the end
 //             method planes also: .overflow [kg] over its upper edges, .max_heap [m] on the slope along its foot, .max_climbed
@@ -18,8 +18,8 @@
 //   gauges.<name> .max_depth, .max_depth_time, .depth_final, .depth_mean, .velocity_mean, .max_speed, .arrival (null: never):
 //             gauge_series.hpp; none in grains mode
 //   obstacles.<name>.<kind>, walls.<side>  the force by other measures (loop/force_measures.hpp): .maximum, the largest window's
-//             mean [N]; .peak and .peak_time of the 15 ms mean; .mean over the whole run [N]; .impulse [N s]. Of the component
-//             along the slope, and .impulse_across; of a wall the component out of the domain
+//             mean [N]; .peak and .peak_time of the 15 ms mean; .mean over the whole run, .final of the last 50 ms [N]; .impulse
+//             [N s]. Of the component along the slope, and .impulse_across; of a wall the component out of the domain
 //   flow      .max_speed [m/s]
 //   effects   [{name, on, reason}];  events [{time, what}]
 
