@@ -1,5 +1,5 @@
 #pragma once
-// Depth and velocity of the flow at a point.
+// Depth and velocity of the flow at a point, or where it is deepest in a rectangle.
 
 #include "continuum/flow_model.hpp"
 #include "coupling/loop/observer.hpp"
@@ -7,8 +7,9 @@
 
 namespace couloir {
 
-// Bilinear between the four nearest cell centres (depth and momentum; the velocity is their ratio); beyond the last centres as
-// on them. In a zone the cells hold what the grains are on the mean.
+// A point: bilinear between the four nearest cell centres (depth and momentum; the velocity is their ratio); beyond the last
+// centres as on them. A rectangle: the deepest cell whose centre is in it. In a zone the cells hold what the grains are on the
+// mean.
 GaugeReading read_gauge(const FlowModel&, const GaugeSpec&);
 
 }  // namespace couloir

@@ -364,9 +364,11 @@ struct Checker {
 
   void gauges() const {
     for (const GaugeSpec& g : scene.record.gauges) {
-      if (g.x < -room() || g.x > length() + room() || std::abs(g.y) > width() / 2 + room()) {
+      if (g.x < -room() || g.x + g.length > length() + room() || std::abs(g.y) + g.width / 2 > width() / 2 + room()) {
+        const bool point = g.length == 0 && g.width == 0;
+        const std::string size = point ? "" : fmt::format(" with size [{}, {}]", len(g.length), len(g.width));
         fail(fmt::format("record.gauges.{}.position", g.name),
-             "is [{}, {}], outside of the domain (x from 0 to {}, y from {} to {})", len(g.x), len(g.y), len(length()),
+             "is [{}, {}]{}, outside of the domain (x from 0 to {}, y from {} to {})", len(g.x), len(g.y), size, len(length()),
              len(-width() / 2), len(width() / 2));
       }
     }

@@ -123,9 +123,11 @@ struct GrainSpec {
   double timeout = 120;         // [s] without an answer from the engine before it counts as dead
 };
 
+// A point, or a rectangle laid out like an obstacle's base.
 struct GaugeSpec {
   std::string name;
-  double x = 0, y = 0;  // [m]
+  double x = 0, y = 0;           // [m] the point; the middle of the rectangle's upstream edge
+  double length = 0, width = 0;  // [m] of the rectangle; both 0: a point
 };
 
 struct RecordSpec {

@@ -317,10 +317,18 @@ void add_record(Keys& k) {
     auto& g = s.record.gauges[i];
     return std::tie(g.x, g.y);
   };
+  const auto gauge_size = [](auto& s, int i) {
+    auto& g = s.record.gauges[i];
+    return std::tie(g.length, g.width);
+  };
   k.add(named(
-      "record.gauges", "points where depth and velocity of the flow are recorded; modes continuum and coupled",
+      "record.gauges", "places where depth and velocity of the flow are recorded; modes continuum and coupled",
       [](auto& s) -> auto& { return s.record.gauges; }));
   k.add(numbers("record.gauges.*.position", length, "[x, y]; between cell centres the flow is interpolated", gauge).required());
+  k.add(numbers("record.gauges.*.size", length,
+                "[along, across] of a rectangle, laid like an obstacle's base: the deepest cell in it, edges included",
+                gauge_size)
+            .within(0, 1e6));
   k.add(number("duration", time, "simulated", COULOIR_AT(duration)).above(0).upto(1e6).required());
 }
 

@@ -72,7 +72,7 @@ TEST_F(Reader, ReadsInflowAndZoneBox) {
 TEST_F(Reader, ReadsInflowsAndGauges) {
   Scene s =
       read(good_scene, {{"boundaries.upstream", "{inflow: {kind: hydrograph, hydrograph: [[0, 0, 1], [200 ms, 4 cm, 2 m/s]]}}"},
-                        {"record.gauges", "{front: {position: [1 m, 10 mm]}, back: {position: [2 m, 0]}}"}});
+                        {"record.gauges", "{front: {position: [1 m, 10 mm]}, back: {position: [1.8 m, 0], size: [10 cm, 0.2]}}"}});
   EXPECT_EQ(s.sides[0].inflow, SideSpec::Inflow::hydrograph);
   ASSERT_EQ(s.sides[0].hydrograph.size(), 2u);
   EXPECT_EQ(s.sides[0].hydrograph[1].time, 0.2);
@@ -81,6 +81,9 @@ TEST_F(Reader, ReadsInflowsAndGauges) {
   ASSERT_EQ(s.record.gauges.size(), 2u);
   EXPECT_EQ(s.record.gauges[0].name, "front");
   EXPECT_EQ(s.record.gauges[0].y, 0.01);
+  EXPECT_EQ(s.record.gauges[0].length, 0);
+  EXPECT_EQ(s.record.gauges[1].length, 0.1);
+  EXPECT_EQ(s.record.gauges[1].width, 0.2);
 
   s = read(good_scene, {{"boundaries.upstream", "{inflow: {kind: silo, gate: 18 mm}}"}, {"release", "{kind: none}"}});
   EXPECT_EQ(s.sides[0].gate, 0.018);

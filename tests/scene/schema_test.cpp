@@ -50,6 +50,7 @@ TEST(Schema, DefaultsAreWithinBounds) {
     if (!key.get || key.presence != Presence::defaulted) continue;
     Scene scene;
     scene.obstacles.emplace_back();
+    scene.record.gauges.emplace_back();
     if (key.path.starts_with("grains.zone.")) continue;
     const Value value = key.get(scene, 0);
     if (const auto* x = std::get_if<double>(&value)) {
