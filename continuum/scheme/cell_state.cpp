@@ -6,15 +6,16 @@
 namespace couloir {
 namespace {
 
-// The velocity difference between a cell's two neighbours, as a share of sqrt(g cos(zeta) h), that mobilises all of the passive
-// state. A jump of K at du/dx = 0, as (2.85) has it, makes noise of the scheme into jumps of the pressure, which make more: the
-// error of the parabolic cap then grows with the resolution, and a deposit creeps for ever. From 0.1 on both are cured.
+// The fall of the velocity over two depths, or over a cell's two neighbours where these are farther apart, as a share of
+// sqrt(g cos(zeta) h), that mobilises all of the passive state. docs/decisions/0004.
 constexpr double mobilisation = 0.2;
 
-// Share of the passive state for a velocity difference du. A cell that does not move is not being compressed, whatever its
-// neighbours do.
-inline double passive_share(double du, double wave_speed, bool moves) {
-  const double share = std::min(std::max(-du, 0.0) / (mobilisation * wave_speed), 1.0);
+// Slower than this Froude number nothing counts as compressed: else a deposit trembles between the two states and never rests.
+constexpr double creeping = 0.01;
+
+// Share of the passive state for a velocity difference du over two cells.
+inline double passive_share(double du, double h, double spacing, double wave_speed, bool moves) {
+  const double share = std::min(std::max(-du, 0.0) * std::max(h, spacing) / (mobilisation * spacing * wave_speed), 1.0);
   return moves ? share : 0.0;
 }
 
@@ -58,7 +59,7 @@ void find_earth_pressure(const Parameters& p, const Block& b, const StepFaces& s
     return;
   }
   const int row = b.row();
-  const double dry = p.dry_depth;
+  const double dry = p.dry_depth, dx = p.grid.dx, dy = p.grid.dy;
   const double *h = q.h.data(), *u = w.u.data(), *v = w.v.data();
   double *kx = w.kx.data(), *ky = w.ky.data();
   for (int j = -1; j <= b.ny; ++j) {
@@ -68,8 +69,8 @@ void find_earth_pressure(const Parameters& p, const Block& b, const StepFaces& s
       const double du = (h[c + 1] >= dry ? u[c + 1] - u[c] : 0.0) + (h[c - 1] >= dry ? u[c] - u[c - 1] : 0.0);
       const double dv = (h[c + row] >= dry ? v[c + row] - v[c] : 0.0) + (h[c - row] >= dry ? v[c] - v[c - row] : 0.0);
       const double speed = wave_speed(h[c], b.weight[c - begin + Block::ghosts - 1]);
-      const bool moves = u[c] != 0 || v[c] != 0;
-      const double x = passive_share(du, speed, moves), y = passive_share(dv, speed, moves);
+      const bool moves = u[c] * u[c] + v[c] * v[c] > creeping * creeping * speed * speed;
+      const double x = passive_share(du, h[c], dx, speed, moves), y = passive_share(dv, h[c], dy, speed, moves);
       kx[c] = k.kx_mobilised(x);
       ky[c] = k.ky_mobilised(x, y);
     }
@@ -77,8 +78,8 @@ void find_earth_pressure(const Parameters& p, const Block& b, const StepFaces& s
   for (int c : steps.cells) {
     const double du = stretching(p, b, q, w.u, c, 1), dv = stretching(p, b, q, w.v, c, row);
     const double speed = wave_speed(h[c], b.weight[c % row]);
-    const bool moves = u[c] != 0 || v[c] != 0;
-    const double x = passive_share(du, speed, moves), y = passive_share(dv, speed, moves);
+    const bool moves = u[c] * u[c] + v[c] * v[c] > creeping * creeping * speed * speed;
+    const double x = passive_share(du, h[c], dx, speed, moves), y = passive_share(dv, h[c], dy, speed, moves);
     kx[c] = k.kx_mobilised(x);
     ky[c] = k.ky_mobilised(x, y);
   }
