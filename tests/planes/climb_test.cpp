@@ -97,13 +97,13 @@ TEST(PlanesClimb, WithoutOverflowTheVacuumStaysOpen) {
 
 // With eta = 0 the cuboid is an endless wall, which a step of that height is too.
 TEST(PlanesClimb, WithoutAShareTheForceIsThatOfAStep) {
-  const Dam d{.eta = 0};
+  const Dam d{.eta = 0, .hydraulic = true};  // with a switched K the heap before a wall hangs on the least difference
   PlanesModel planes = dam(d);
   Solver step = tall_step(d);
   planes.advance_to(0.8);
   step.advance_to(0.8);
-  EXPECT_NEAR(planes.obstacle_impulse(0)[0], step.obstacle_impulse(0)[0], 0.01 * step.obstacle_impulse(0)[0]);
-  EXPECT_NEAR(planes.heap(), step.at(planes.footprint().i0 - 1, planes.grid().ny / 2).h, 0.03 * planes.heap());
+  EXPECT_NEAR(planes.obstacle_impulse(0)[0], step.obstacle_impulse(0)[0], 1e-4 * step.obstacle_impulse(0)[0]);
+  EXPECT_NEAR(planes.heap(), step.at(planes.footprint().i0 - 1, planes.grid().ny / 2).h, 1e-3 * planes.heap());
 }
 
 TEST(PlanesClimb, GrowsWithTheShare) {

@@ -19,6 +19,7 @@ struct Dam {
   int threads = 1;
   double skew = 0;           // [m] the release's middle beside the centre line
   double mirror = 1;         // -1: everything mirrored
+  bool hydraulic = false;    // K = 1
   bool whole_width = false;  // the cuboid reaches from side to side, and the sides are walls
 };
 
@@ -28,7 +29,7 @@ inline SolverSettings dam_settings(const Dam& d) {
   SolverSettings s;
   const int nx = static_cast<int>(std::lround(24 * unit / d.cell)), half = static_cast<int>(std::lround(9 * unit / d.cell));
   s.grid = {nx, 2 * half, d.cell, d.cell, 0, -half * d.cell};
-  s.closure = {EarthPressure::active_passive(d.phi, d.delta), std::tan(d.delta), true};
+  s.closure = {d.hydraulic ? EarthPressure::hydraulic() : EarthPressure::active_passive(d.phi, d.delta), std::tan(d.delta), true};
   s.block = 16;
   s.threads = d.threads;
   if (d.whole_width) s.sides[2].kind = s.sides[3].kind = Side::Kind::wall;
