@@ -1,0 +1,93 @@
+#!/usr/bin/python3
+"""The dissertation's numbers beside ours, as docs/results/seed_continuum.md has them: a row for each quantity of its tables."""
+import argparse
+import json
+
+
+def rows(findings):
+    out = {}
+    for f in findings:
+        if f["verdict"] == "skipped":
+            continue
+        name = f["case"]
+        source = f["source"].split(" row ")[0]
+        key = (f["experiment"], name, source if source.startswith(("Table", "Figure")) else name, column(f["quantity"]))
+        row = out.setdefault(key, {"expected": f["expected"], "unit": f["unit"]})
+        row[f["variant"] or "default"] = f["value"]
+    return out
+
+
+def column(quantity):
+    """Two variants may measure the same thing in two ways: (7.1) on a bed height, the flow's force on a solid step."""
+    if quantity.endswith(("elevation_upstream.maximum", "force_peak_window")):
+        return "maximum force"
+    if quantity.endswith("elevation_upstream.mean") or quantity.startswith("obstacles.wall.impulse / time"):
+        return "mean force"
+    return {"critical": "critical height", "gauges.base.depth_final": "depth on the cuboid", "walls.downstream.peak": "peak on the wall",
+            "walls.downstream.final": "final on the wall"}.get(quantity, quantity)
+
+
+def shown(row, variant):
+    value = row.get(variant)
+    if value is None:
+        return "-"
+    expected = row["expected"]
+    off = f" ({100 * (value / expected - 1):+.0f} %)" if expected else ""
+    return f"{value:.4g}{off}"
+
+
+def numbers(row_name):
+    return [float(part.split()[0]) for part in row_name.split(" / ")]
+
+
+def draw(table, out):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    panels = [("Table 5.1", "depth on the cuboid", "cell [units]", "depth on the cuboid [units]"),
+              ("Table 5.5", "critical height", "cells along / across [units]", "critical height [units]"),
+              ("Figure 7.8", "peak on the wall", "slope [deg]", "peak on the flume's wall [N]"),
+              ("Table 7.1", "force", "slope [deg]", "force [N]"), ("Table 7.2", "force", "basal friction angle [deg]", "force [N]"),
+              ("Table 7.3", "force", "internal friction angle [deg]", "force [N]")]
+    fig, axes = plt.subplots(2, 3, figsize=(12, 7), layout="constrained")
+    looks = [("expected", "dissertation", "black", "o"), ("seed", "noc + elevation", "tab:blue", "s"),
+             ("default", "central_upwind + step", "tab:red", "^")]
+    for ax, (source, quantity, across, up) in zip(axes.flat, panels):
+        for wanted, line in [("maximum force", "-"), ("mean force", ":")] if quantity == "force" else [(quantity, "-")]:
+            chosen = [(name.removeprefix(source).lstrip(", "), row) for (_, name, of, what), row in table.items()
+                      if of == source and what == wanted]
+            pairs = any(" / " in name for name, _ in chosen)
+            x = range(len(chosen)) if pairs else [numbers(name)[0] for name, _ in chosen]
+            for variant, label, color, mark in looks:
+                y = [row.get(variant) if row.get(variant) is not None else float("nan") for _, row in chosen]
+                if source == "Figure 7.8" and variant == "expected":
+                    label = "literal solver (the figure has no numbers)"
+                if source == "Table 5.5" and variant == "default":
+                    label = "central_upwind + elevation"
+                if wanted == "mean force":
+                    label = None
+                ax.plot(x, y, linestyle="none" if pairs else line, marker=mark, color=color, label=label)
+            if pairs:
+                ax.set_xticks(list(x), [name.replace(" / ", "/") for name, _ in chosen])
+        ax.set(title=source + (": maximum, dotted the mean" if quantity == "force" else ""), xlabel=across, ylabel=up)
+        ax.set_ylim(bottom=0)
+        ax.legend(frameon=False, fontsize="small")
+    fig.savefig(out, dpi=100)
+
+
+arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+arguments.add_argument("findings", nargs="+", help="what `couloir check EXPERIMENT --json` printed, with the variants seed and default")
+arguments.add_argument("--picture", help="draw the tables into this file")
+given = arguments.parse_args()
+table = rows([f for name in given.findings for f in json.load(open(name))])
+print("| of | row | quantity | expected | `noc` + `elevation` | default |\n| --- | --- | --- | --- | --- | --- |")
+for (experiment, name, source, quantity), row in table.items():
+    if row["expected"] == 0 and quantity.startswith(("mass.", "momentum.")):
+        continue  # ledgers; couloir check has them
+    unit = f" x {row['unit']}" if row["unit"][:1].isdigit() else f" {row['unit']}" if row["unit"] else ""
+    print(f"| {source} | {name.removeprefix(source).lstrip(', ')} | {quantity} | {row['expected']:.4g}{unit} | {shown(row, 'seed')} "
+          f"| {shown(row, 'default')} |")
+if given.picture:
+    draw(table, given.picture)
