@@ -8,6 +8,13 @@
 #include "continuum/noc/slopes.hpp"
 
 namespace couloir::noc {
+namespace {
+
+// Share of a velocity below which its difference to a neighbour is taken for round-off: many times that of some thousand steps,
+// and far below what compression makes of the pressure.
+constexpr double round_off = 1e-10;
+
+}  // namespace
 
 Lattice::Lattice(Kind kind, const SolverSettings& s, const Terrain& terrain)
     : kind_(kind),
@@ -66,7 +73,10 @@ double Lattice::find_state(const CellBox& box) {
       const auto difference = [&](const std::vector<double>& w, int s) {
         return (q.h[c + s] >= dry ? w[c + s] - w[c] : 0.0) + (q.h[c - s] >= dry ? w[c] - w[c - s] : 0.0);
       };
-      const double du = difference(u_, 1), dv = difference(v_, r);
+      // A difference that is round-off has no sign: a mass that slides as one would switch by the toss of a coin.
+      const double noise = round_off * (std::abs(u_[c]) + std::abs(v_[c]));
+      const auto above_noise = [&](double d) { return std::abs(d) > noise ? d : 0.0; };
+      const double du = above_noise(difference(u_, 1)), dv = above_noise(difference(v_, r));
       // What hardly moves is as good as at rest, and what rests is active.
       const double wave = weight_[i] * q.h[c], slowest = s_.creeping_froude * s_.creeping_froude * wave;
       const bool slow = u_[c] * u_[c] + v_[c] * v_[c] < slowest;
