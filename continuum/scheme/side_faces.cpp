@@ -1,5 +1,7 @@
 #include "continuum/scheme/side_faces.hpp"
 
+#include <algorithm>
+
 #include "continuum/scheme/hll.hpp"
 
 namespace couloir {
@@ -33,7 +35,11 @@ void side_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Fa
     const double h = low ? v.h_lo[inside] : v.h_hi[inside];
     const double u = outward * (low ? v.un_lo[inside] : v.un_hi[inside]);
     f.mass[face] = f.tangent[face] = 0;
-    f.normal[face] = wall_flux(h, u, axis.k[inside] * axis.weight[column + Block::ghosts]);
+    // wall_flux() as the faces inside work it out (face_flux.cpp), against the mirror image: so that what is the same all across
+    // feels the same bits from wall and neighbour.
+    const double g = axis.k[inside] * axis.weight[column + Block::ghosts], eta = low ? v.eta_lo[inside] : v.eta_hi[inside];
+    const double over = b.relief ? std::max(0.0, std::min(h, eta - (eta - h))) : h;
+    f.normal[face] = std::max(0.0, hll(over, u, g, over, -u, g).momentum + (pressure(h, g) - pressure(over, g)));
     f.normal_below[face] = f.normal_above[face] = f.normal[face];
   });
 }
