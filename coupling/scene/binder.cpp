@@ -133,7 +133,8 @@ class Binder {
   double quantity(const Node& node, const Key& key, const std::string& full) const {
     const std::string& text = text_of(node, key, full);
     try {
-      const Scales scales = node.si || !key.set ? Scales{} : Scales{scale_length_, scene_.gravity, scene_.material.density};
+      const Scales scales =
+          node.si || !key.set || !key.scaled ? Scales{} : Scales{scale_length_, scene_.gravity, scene_.material.density};
       const double x = parse_quantity(text, key.dimension, scales);
       refuse_outside(x, node, key, full);
       return x;

@@ -304,8 +304,10 @@ void add_grains(Keys& k) {
   k.add(number("grains.timestep", time, "of the engine; 0: a fixed share of the Rayleigh time", COULOIR_AT(grains.timestep))
             .within(0, 1));
   k.add(integer("grains.seed", "of the packing and the radii", COULOIR_AT(grains.seed)).within(1, 2147483647));
-  k.add(number("grains.timeout", time, "without an answer before the engine counts as dead", COULOIR_AT(grains.timeout))
-            .within(1, 86400));
+  k.add(number("grains.timeout", time, "without an answer before the engine counts as dead; of the clock, never scaled",
+               COULOIR_AT(grains.timeout))
+            .within(1, 86400)
+            .unscaled());
   add_grain_material(k, "grains.", Presence::optional);
 }
 

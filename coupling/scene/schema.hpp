@@ -51,6 +51,7 @@ struct Key {
   std::string selector;               // this key belongs only where its sibling of this name ...
   std::vector<std::string> selected;  // ... is one of these
   bool written = true;                // by write_scene
+  bool scaled = true;                 // bare numbers are multiples of the scene's scales, where it has some
 
   // `index` counts the entries of a named mapping (obstacles, gauges); 0 elsewhere. A mapping's value is the word given instead
   // of it, or empty. No accessors: the reader's own (scales).

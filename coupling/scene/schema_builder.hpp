@@ -46,6 +46,10 @@ class KeyBuilder {
     key_.written = false;
     return *this;
   }
+  KeyBuilder& unscaled() {
+    key_.scaled = false;
+    return *this;
+  }
   KeyBuilder& when(std::string selector, std::vector<std::string> selected) {
     key_.selector = std::move(selector);
     key_.selected = std::move(selected);
