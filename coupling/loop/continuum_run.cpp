@@ -9,6 +9,7 @@
 #include "coupling/loop/momentum_book.hpp"
 #include "coupling/loop/names.hpp"
 #include "coupling/loop/saved_state.hpp"
+#include "coupling/plan/build.hpp"
 #include "coupling/plan/plan.hpp"
 
 namespace couloir {
@@ -44,7 +45,7 @@ class ContinuumRun : public ModeRun {
       w.obstacles.push_back(flow_->force(k, w.length));
       w.overtopped += flow_->overtopped(k);
     }
-    for (const GaugeSpec& gauge : scene_.record.gauges) w.gauges.push_back(read_gauge(flow_->model(), gauge));
+    for (const GaugeSpec& gauge : scene_.record.gauges) w.gauges.push_back(read_gauge(flow_->model(), gauge, thin_depth(scene_)));
     watch_overflow(w);
   }
 

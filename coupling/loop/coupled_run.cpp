@@ -146,7 +146,8 @@ class CoupledRun : public ModeRun {
       w.max_overlap = a.max_overlap;
       w.max_speed = std::max(w.max_speed, grains_->max_speed());
     }
-    for (const GaugeSpec& gauge : scene_.record.gauges) w.gauges.push_back(read_gauge(flow_->solver(), gauge));
+    for (const GaugeSpec& gauge : scene_.record.gauges)
+      w.gauges.push_back(read_gauge(flow_->solver(), gauge, thin_depth(scene_)));
     flow_momentum_jump_ = false;
     book_.close(w.momentum, momentum);
   }

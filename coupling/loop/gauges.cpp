@@ -7,8 +7,6 @@
 namespace couloir {
 namespace {
 
-constexpr double dry = 1e-6;  // [m] thinner flow has no velocity worth showing
-
 // Two neighbours along one direction and the weight of the second.
 struct Between {
   int low, high;
@@ -21,8 +19,8 @@ Between between(double at, double origin, double size, int n) {
   return {low, std::min(low + 1, n - 1), place - low};
 }
 
-GaugeReading reading(const FlowState& q) {
-  return q.h > dry ? GaugeReading{q.h, q.hu / q.h, q.hv / q.h} : GaugeReading{q.h, 0, 0};
+GaugeReading reading(const FlowState& q, double thin) {
+  return q.h > thin ? GaugeReading{q.h, q.hu / q.h, q.hv / q.h} : GaugeReading{q.h, 0, 0};
 }
 
 // The deepest cell whose centre lies in the rectangle; where none does, the one nearest to its middle.
@@ -49,15 +47,15 @@ FlowState deepest(const FlowModel& flow, const GaugeSpec& gauge) {
 
 }  // namespace
 
-GaugeReading read_gauge(const FlowModel& flow, const GaugeSpec& gauge) {
-  if (gauge.length > 0 || gauge.width > 0) return reading(deepest(flow, gauge));
+GaugeReading read_gauge(const FlowModel& flow, const GaugeSpec& gauge, double thin) {
+  if (gauge.length > 0 || gauge.width > 0) return reading(deepest(flow, gauge), thin);
   const Grid& g = flow.grid();
   const Between x = between(gauge.x, g.x0, g.dx, g.nx), y = between(gauge.y, g.y0, g.dy, g.ny);
   const auto mix = [](const FlowState& a, const FlowState& b, double w) {
     return FlowState{(1 - w) * a.h + w * b.h, (1 - w) * a.hu + w * b.hu, (1 - w) * a.hv + w * b.hv};
   };
   const auto along = [&](int j) { return mix(flow.at(x.low, j), flow.at(x.high, j), x.weight); };
-  return reading(mix(along(y.low), along(y.high), y.weight));
+  return reading(mix(along(y.low), along(y.high), y.weight), thin);
 }
 
 }  // namespace couloir

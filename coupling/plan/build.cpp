@@ -20,8 +20,8 @@ double short_mantissa(double value) {
 }
 
 // Of the greatest depth: a film thinner than that carries mass but no momentum. A share, so that a scene in other units gives the
-// same numbers.
-constexpr double dry_share = 1e-6;
+// same numbers. Records show no velocity of what is a little thicker.
+constexpr double dry_share = 1e-6, thin_share = 1e-5;
 
 double greatest_depth(const Scene& scene) {
   double depth = deepest(scene);
@@ -71,11 +71,12 @@ Grid grid_of(const Scene& scene) {
   const double across = scene.continuum.cell > 0 ? scene.continuum.across() : cell;
   Grid grid;
   grid.nx = std::max(4, static_cast<int>(std::lround(length / cell)));
-  grid.ny = 2 * std::max(1, static_cast<int>(std::lround(width / (2 * across))));
+  const bool one_row = scene.mode == Mode::continuum && width < 1.5 * across;
+  grid.ny = one_row ? 1 : 2 * std::max(1, static_cast<int>(std::lround(width / (2 * across))));
   grid.dx = length / grid.nx;
   grid.dy = short_mantissa(width / grid.ny);
   grid.x0 = 0;
-  grid.y0 = -(grid.ny / 2) * grid.dy;
+  grid.y0 = -0.5 * grid.ny * grid.dy;
   return grid;
 }
 
@@ -100,6 +101,10 @@ SolverSettings solver_settings(const Scene& scene) {
   settings.cfl = scene.continuum.cfl;
   settings.dry_depth = dry_share * greatest_depth(scene);
   return settings;
+}
+
+double thin_depth(const Scene& scene) {
+  return thin_share * greatest_depth(scene);
 }
 
 StepBed step_bed(const Scene& scene) {

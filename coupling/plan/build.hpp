@@ -8,11 +8,14 @@
 
 namespace couloir {
 
-// Cells of nearly the asked size that fill the domain; x from 0, y symmetric about 0 with an even number of rows. A scene in mode
-// grains may have no cell size: then 2 d, for its records.
+// Cells of nearly the asked size that fill the domain; x from 0, y symmetric about 0 with an even number of rows. In mode
+// continuum a domain narrower than 1.5 cells is one row: the 1D model (2.2), (2.11). A scene in mode grains may have no cell
+// size: then 2 d, for its records.
 Grid grid_of(const Scene&);
 
 SolverSettings solver_settings(const Scene&);
+// [m] Up to here records show no velocity: a share of the greatest depth of release and inflow.
+double thin_depth(const Scene&);
 // z_b(x, y) of the obstacles by method elevation, each by its number in the scene.
 Elevation elevation(const Scene&);
 // central_upwind: steps, and the elevation sampled at the cell centres of grid_of().

@@ -35,6 +35,21 @@ TEST(Build, RowsAreMirroredToTheBit) {
   }
 }
 
+TEST(Build, NarrowDomainIsOneRow) {
+  const auto rows = [](const char* across, const char* mode) {
+    return grid_of(experiment("flume_continuum", {{"continuum.cell_across", across},
+                                                  {"mode", mode},
+                                                  {"grains", "{diameter: 5 mm, zone: {x: [1 m, 1.5 m], y: [-0.1, 0.1]}}"}}));
+  };
+  const Grid one = rows("0.3 m", "continuum");
+  EXPECT_EQ(one.ny, 1);
+  EXPECT_NEAR(one.dy, 0.3, 1e-12);
+  EXPECT_EQ(one.y(0), 0);
+  EXPECT_EQ(rows("0.21 m", "continuum").ny, 1);
+  EXPECT_EQ(rows("0.19 m", "continuum").ny, 2);
+  EXPECT_EQ(rows("0.3 m", "coupled").ny, 2);
+}
+
 TEST(Build, SolverSettings) {
   const Scene s = experiment("chiou_wall", {{"continuum.limiter", "mc"},
                                             {"continuum.cfl", "0.3"},
