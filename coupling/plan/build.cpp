@@ -86,8 +86,9 @@ Closure closure_of(const Scene& scene) {
                                ? EarthPressure::hydraulic()
                                : EarthPressure::active_passive(scene.material.phi, scene.material.delta);
   closure.tan_delta = std::tan(scene.material.delta);
-  const bool curved = scene.terrain.kind == TerrainSpec::Kind::chute && scene.terrain.arc > 0;
-  closure.curvature = curved && scene.continuum.curvature != "off";
+  const TerrainSpec& t = scene.terrain;
+  const bool curved = t.kind == TerrainSpec::Kind::chute && t.arc > 0 && t.angle > 0;
+  closure.curvature = curved && closure.tan_delta > 0 && scene.continuum.curvature != "off";
   return closure;
 }
 

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/flow_estimate.hpp"
+#include "coupling/plan/zone.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/units.hpp"
 
@@ -26,11 +29,19 @@ struct Listing {
   bool grains = s.mode != Mode::continuum;
   bool coupled = s.mode == Mode::coupled;
   bool flat = s.terrain.kind == TerrainSpec::Kind::flat || s.terrain.angle == 0;
-  bool arc = s.terrain.kind == TerrainSpec::Kind::chute && s.terrain.arc > 0;
+  bool arc = s.terrain.kind == TerrainSpec::Kind::chute && s.terrain.arc > 0 && s.terrain.angle > 0;
+  std::optional<ZoneBox> zone = coupled ? std::optional(planned_zone(s).box) : std::nullopt;
   std::string mode = fmt::format("mode is {}", to_string(s.mode));
 
   Effect depth_averaged_flow() const {
     return {"depth_averaged_flow", continuum, continuum ? mode : mode + ": grains carry the whole flow"};
+  }
+
+  Effect across_slope() const {
+    if (!continuum) return {"across_slope", true, mode + ": grains move in all directions"};
+    const int rows = grid_of(s).ny;
+    if (rows == 1) return {"across_slope", false, "the domain is one row of cells: the 1D model (2.2), (2.11)"};
+    return {"across_slope", true, fmt::format("the domain has {} rows of cells: the 2D model (2.87)-(2.92)", rows)};
   }
 
   Effect gravity_along_slope() const {
@@ -42,6 +53,7 @@ struct Listing {
     if (!continuum) return {"earth_pressure", false, mode + ": stresses come from the contacts"};
     if (s.continuum.closure == "hydraulic") return {"earth_pressure", false, "closure is hydraulic: K = 1"};
     const EarthPressure k = closure_of(s).earth_pressure;
+    if (k.is_hydraulic()) return {"earth_pressure", false, "closure is active_passive, but phi is 0, which gives K = 1"};
     return {"earth_pressure", true,
             fmt::format("closure is active_passive: phi {} and delta {} give K_act {:.5f}, K_pas {:.5f}", ang(s.material.phi),
                         ang(s.material.delta), k.x_active, k.x_passive)};
@@ -59,50 +71,70 @@ struct Listing {
     if (!arc) return {"curvature", false, "the terrain has no arc: kappa is 0 everywhere"};
     if (s.continuum.curvature == "off")
       return {"curvature", false, "continuum.curvature is off, although the terrain has an arc"};
+    if (s.material.delta == 0) return {"curvature", false, "it presses the flow onto its bed, which is frictionless: delta is 0"};
     return {"curvature", true,
             fmt::format("the terrain has an arc of {} with radius {}", len(s.terrain.arc), len(s.terrain.arc / s.terrain.angle))};
   }
 
-  // Names and heights of the obstacles by this method.
+  // Grains carry the flow around it.
+  bool among_grains(const ObstacleSpec& o) const { return !continuum || (zone && zone->holds(o)); }
+
+  static std::string body(const ObstacleSpec& o) { return fmt::format("{} ({} high)", o.name, len(o.height)); }
+
+  // The obstacles that the continuum meets by this method.
   std::vector<std::string> bodies(ObstacleSpec::Method method) const {
     std::vector<std::string> names;
     for (const ObstacleSpec& o : s.obstacles) {
-      if (o.method == method) names.push_back(fmt::format("{} ({} high)", o.name, len(o.height)));
+      if (o.method == method && !among_grains(o)) names.push_back(body(o));
     }
     return names;
   }
 
+  // Why no obstacle is there by this method.
+  std::string no_bodies(ObstacleSpec::Method method, const char* none) const {
+    const bool given = std::ranges::any_of(s.obstacles, [&](const ObstacleSpec& o) { return o.method == method; });
+    if (!given) return none;
+    return continuum ? "grains of the zone meet the obstacles as solid bodies"
+                     : mode + ": grains meet the obstacles as solid bodies";
+  }
+
   Effect elevation() const {
-    const auto names = bodies(ObstacleSpec::Method::elevation);
-    if (names.empty()) return {"elevation", false, "the scene has no bed elevation besides its obstacles"};
-    if (!continuum) return {"elevation", false, mode + ": grains meet the obstacles as solid bodies"};
+    constexpr auto method = ObstacleSpec::Method::elevation;
+    const auto names = bodies(method);
+    if (names.empty()) return {"elevation", false, no_bodies(method, "no obstacle is an elevation of the bed")};
     return {"elevation", true, fmt::format("bed heights of obstacles, (4.4)-(4.9): {}", fmt::join(names, ", "))};
+  }
+
+  Effect planes() const {
+    constexpr auto method = ObstacleSpec::Method::planes;
+    const auto names = bodies(method);
+    if (names.empty()) return {"planes", false, no_bodies(method, "no obstacle is made of planes")};
+    return {"planes", true, fmt::format("flows of their own on the planes of {}", fmt::join(names, ", "))};
   }
 
   Effect obstacles() const {
     if (s.obstacles.empty()) return {"obstacles", false, "the scene has none"};
-    auto steps = bodies(ObstacleSpec::Method::step);
-    const auto smooth = bodies(ObstacleSpec::Method::elevation);
-    auto planes = bodies(ObstacleSpec::Method::planes);
-    if (!continuum || coupled) {
-      for (const std::string& name : planes) steps.push_back(name + ", not of planes: grains meet solid bodies");
-      planes.clear();
-    }
-    if (!continuum) {
-      steps.insert(steps.end(), smooth.begin(), smooth.end());
-      return {"obstacles", true, fmt::format("solid bodies: {}", fmt::join(steps, ", "))};
-    }
-    std::string text = steps.empty() ? "" : fmt::format("steps of the bed: {}", fmt::join(steps, ", "));
-    if (!smooth.empty()) text += fmt::format("{}bed elevation: {}", steps.empty() ? "" : "; ", fmt::join(smooth, ", "));
+    std::vector<std::string> kinds, solid;
+    const auto add = [&](const std::string& kind, const std::vector<std::string>& names) {
+      if (!names.empty()) kinds.push_back(fmt::format("{}: {}", kind, fmt::join(names, ", ")));
+    };
+    add("steps of the bed", bodies(ObstacleSpec::Method::step));
+    add("bed elevation", bodies(ObstacleSpec::Method::elevation));
     for (const ObstacleSpec& o : s.obstacles) {
-      if (planes.empty() || o.method != ObstacleSpec::Method::planes) continue;
-      text += fmt::format("{}five planes, eta {:g}: {}", text.empty() ? "" : "; ", o.eta, planes.front());
+      const bool of_planes = o.method == ObstacleSpec::Method::planes;
+      if (among_grains(o)) {
+        solid.push_back(body(o) + (of_planes ? ", not of planes: grains meet solid bodies" : ""));
+      } else if (of_planes) {
+        add(fmt::format("five planes, eta {:g}", o.eta), {body(o)});
+      }
     }
-    return {"obstacles", true, text};
+    add(continuum ? "solid bodies in the zone of grains" : "solid bodies", solid);
+    return {"obstacles", true, fmt::format("{}", fmt::join(kinds, "; "))};
   }
 
   Effect inflow() const {
     const char* sides[] = {"upstream", "downstream", "left", "right"};
+    std::vector<std::string> all;
     for (int side = 0; side < 4; ++side) {
       const SideSpec& spec = s.sides[side];
       if (spec.kind != SideSpec::Kind::inflow) continue;
@@ -110,9 +142,10 @@ struct Listing {
       const char* how = spec.inflow == SideSpec::Inflow::silo ? " from a silo's gate (velocity by Beverloo's law: assumed)"
                         : spec.inflow == SideSpec::Inflow::hydrograph ? " at most, by a hydrograph"
                                                                       : "";
-      return {"inflow", true, fmt::format("{}: {} deep at {:.6g} m/s{}", sides[side], len(q.depth), q.velocity, how)};
+      all.push_back(fmt::format("{}: {} deep at {:.6g} m/s{}", sides[side], len(q.depth), q.velocity, how));
     }
-    return {"inflow", false, "no side of the domain is an inflow"};
+    if (all.empty()) return {"inflow", false, "no side of the domain is an inflow"};
+    return {"inflow", true, fmt::format("{}", fmt::join(all, "; "))};
   }
 
   Effect periodic() const {
@@ -181,10 +214,22 @@ struct Listing {
 
 std::vector<Effect> effects_of(const Scene& scene) {
   const Listing list{scene};
-  return {
-      list.depth_averaged_flow(), list.gravity_along_slope(), list.earth_pressure(), list.basal_friction(), list.curvature(),
-      list.elevation(),           list.obstacles(),           list.inflow(),         list.periodic(),       list.grain_engine(),
-      list.rolling_friction(),    list.side_friction(),       list.coupling(),       list.airborne()};
+  return {list.depth_averaged_flow(),
+          list.across_slope(),
+          list.gravity_along_slope(),
+          list.earth_pressure(),
+          list.basal_friction(),
+          list.curvature(),
+          list.elevation(),
+          list.obstacles(),
+          list.planes(),
+          list.inflow(),
+          list.periodic(),
+          list.grain_engine(),
+          list.rolling_friction(),
+          list.side_friction(),
+          list.coupling(),
+          list.airborne()};
 }
 
 }  // namespace couloir

@@ -46,9 +46,12 @@ std::string plan_text(const Plan& plan) {
   }
   out += fmt::format("cost       about {} (continuum {}, engine {}), {:.0f} MB; within a factor of three\n", seconds(plan.time),
                      seconds(plan.time_continuum), seconds(plan.time_engine), plan.memory * 1e-6);
-  out += "effects\n";
-  for (const Effect& effect : plan.effects)
-    out += fmt::format("  {:<3}  {:<20} {}\n", effect.on ? "on" : "off", effect.name, effect.reason);
+  for (const bool on : {true, false}) {
+    out += on ? "effects\n" : "left out\n";
+    for (const Effect& effect : plan.effects) {
+      if (effect.on == on) out += fmt::format("  {:<20} {}\n", effect.name, effect.reason);
+    }
+  }
   for (const std::string& warning : plan.warnings) out += "warning    " + warning + "\n";
   return out;
 }

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
 #include <set>
 #include <stdexcept>
 
+#include "coupling/plan/build.hpp"
 #include "plan_scenes.hpp"
 
 namespace couloir {
@@ -30,8 +33,10 @@ TEST(Effects, OfTheWall) {
   expect(s, "earth_pressure", true, "closure is active_passive: phi 37 deg and delta 24 deg give K_act 0.61319, K_pas 3.65818");
   expect(s, "basal_friction", true, "Coulomb, delta 24 deg");
   expect(s, "curvature", true, "the terrain has an arc of 146.5 mm with radius 209.846 mm");
-  expect(s, "elevation", false, "the scene has no bed elevation besides its obstacles");
-  expect(s, "obstacles", true, "steps of the bed: wall (80 mm high)");
+  expect(s, "elevation", false, "no obstacle is an elevation of the bed");
+  expect(s, "planes", false, "no obstacle is made of planes");
+  expect(s, "across_slope", true, "the domain has 160 rows of cells: the 2D model (2.87)-(2.92)");
+  expect(s, "obstacles", true, "solid bodies in the zone of grains: wall (80 mm high)");
   expect(s, "inflow", false, "no side of the domain is an inflow");
   expect(s, "periodic_sides", false, "no sides are periodic");
   expect(s, "grain_engine", true, "mode is coupled: liggghts, grains of 4 mm, 1 rank");
@@ -55,6 +60,7 @@ TEST(Effects, OfTheNullZone) {
 TEST(Effects, OfOtherModes) {
   const Scene continuum = experiment("chiou_wall", {{"mode", "continuum"}});
   expect(continuum, "grain_engine", false, "mode is continuum: no engine is started");
+  expect(continuum, "obstacles", true, "steps of the bed: wall (80 mm high)");
   expect(continuum, "coupling", false, "mode is continuum: one model alone");
   expect(continuum, "airborne", false, "mode is continuum: a depth-averaged flow has no flight");
   expect(continuum, "rolling_friction", false, "mode is continuum: no grains");
@@ -77,6 +83,78 @@ TEST(Effects, SwitchedOff) {
   expect(experiment("chiou_wall", walls), "side_friction", true, "grains meet the side walls with friction 0.3");
 }
 
+TEST(Effects, OfOneRowOfCells) {
+  const Scene s = experiment("flume_continuum", {{"continuum.cell_across", "0.3 m"}});
+  expect(s, "across_slope", false, "the domain is one row of cells: the 1D model (2.2), (2.11)");
+}
+
+// Without friction and without inclination there is nothing that curvature could press on, nor any curvature.
+TEST(Effects, WhatTheSceneLeavesWithoutEffect) {
+  const Scene smooth = experiment("chiou_vestolen", {{"material.basal_friction_angle", "0"}});
+  expect(smooth, "curvature", false, "it presses the flow onto its bed, which is frictionless: delta is 0");
+  EXPECT_FALSE(solver_settings(smooth).closure.curvature);
+  const Scene level = experiment("chiou_vestolen", {{"terrain.angle", "0"}});
+  expect(level, "curvature", false, "the terrain has no arc: kappa is 0 everywhere");
+  expect(level, "gravity_along_slope", false, "the terrain is level");
+  EXPECT_FALSE(solver_settings(level).closure.curvature);
+  const Scene fluid =
+      experiment("chiou_vestolen", {{"material.basal_friction_angle", "0"}, {"material.internal_friction_angle", "0"}});
+  expect(fluid, "earth_pressure", false, "closure is active_passive, but phi is 0, which gives K = 1");
+  EXPECT_TRUE(solver_settings(fluid).closure.earth_pressure.is_hydraulic());
+}
+
+TEST(Effects, OfTwoInflows) {
+  const Scene s = experiment("silo_wedge", {{"boundaries.left", "{inflow: {depth: 10 mm, velocity: 1}}"}});
+  expect(
+      s, "inflow", true,
+      "upstream: 9 mm deep at 0.30605 m/s from a silo's gate (velocity by Beverloo's law: assumed); left: 10 mm deep at 1 m/s");
+}
+
+// In mode coupled an obstacle is what its surroundings are: solid among grains, else what its method says.
+TEST(Effects, OfObstaclesInsideAndOutsideOfTheZone) {
+  const Overrides overrides{{"obstacles.hill", "{position: [1.2 m, 0], size: [50 mm, 80 mm, 20 mm], method: elevation}"},
+                            {"grains.zone", "{x: [0.5 m, 0.7 m], y: [-0.12 m, 0.12 m]}"}};
+  Scene s = experiment("chiou_wall", overrides);
+  expect(s, "obstacles", true, "bed elevation: hill (20 mm high); solid bodies in the zone of grains: wall (80 mm high)");
+  expect(s, "elevation", true, "bed heights of obstacles, (4.4)-(4.9): hill (20 mm high)");
+  s = experiment("chiou_wall", {{"obstacles.wall.method", "elevation"}});
+  expect(s, "elevation", false, "grains of the zone meet the obstacles as solid bodies");
+}
+
+// The whole list of each experiment: what it simulates, and nothing else.
+TEST(Effects, OfEveryExperiment) {
+  using Names = std::set<std::string>;
+  const Names chute{"depth_averaged_flow", "across_slope",   "gravity_along_slope",
+                    "earth_pressure",      "basal_friction", "curvature"};
+  const Names grains{"grain_engine", "rolling_friction", "coupling"};
+  const auto with = [](Names names, const Names& more) {
+    names.insert(more.begin(), more.end());
+    return names;
+  };
+  const std::map<std::string, Names> expected{
+      {"chiou_cuboid_grid", with(chute, {"obstacles"})},
+      {"chiou_vestolen", with(chute, {"obstacles"})},
+      {"chiou_wall", with(with(chute, grains), {"obstacles"})},
+      {"cuboid_force", with(chute, {"obstacles"})},
+      {"eta_study", with(chute, {"obstacles", "planes"})},
+      {"flume_continuum", {"depth_averaged_flow", "across_slope", "gravity_along_slope", "earth_pressure", "basal_friction"}},
+      {"null_zone", with(grains, {"depth_averaged_flow", "across_slope", "gravity_along_slope", "basal_friction", "inflow",
+                                  "periodic_sides"})},
+      {"silo_wedge", with(chute, {"obstacles", "elevation", "inflow"})},
+      {"wedge_force", with(chute, {"obstacles", "elevation"})},
+      {"wedge_grid", with(chute, {"obstacles", "elevation"})}};
+  for (const auto& folder : std::filesystem::directory_iterator(COULOIR_SOURCE_DIR "/experiments")) {
+    const std::string name = folder.path().filename().string();
+    if (!std::filesystem::exists(folder.path() / "scene.yaml")) continue;
+    ASSERT_TRUE(expected.contains(name)) << name << " is new: say here what it simulates";
+    Names on;
+    for (const Effect& e : effects_of(experiment(name))) {
+      if (e.on) on.insert(e.name);
+    }
+    EXPECT_EQ(on, expected.at(name)) << name;
+  }
+}
+
 TEST(Effects, EachHasOneNameAndAReason) {
   for (const char* mode : {"continuum", "coupled", "grains"}) {
     std::set<std::string> names;
@@ -96,7 +174,7 @@ TEST(Effects, ElevationIsOnWithItsBodies) {
   const Scene grains = experiment("chiou_wall", {overrides[0], {"mode", "grains"}});
   expect(grains, "elevation", false, "mode is grains: grains meet the obstacles as solid bodies");
   expect(grains, "obstacles", true, "solid bodies: wall (80 mm high), wedge (40 mm high)");
-  const Scene smooth = experiment("chiou_wall", {{"obstacles.wall.method", "elevation"}});
+  const Scene smooth = experiment("chiou_wall", {{"obstacles.wall.method", "elevation"}, {"mode", "continuum"}});
   expect(smooth, "obstacles", true, "bed elevation: wall (80 mm high)");
 }
 

@@ -1,5 +1,6 @@
 #include "coupling/plan/plan.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -105,7 +106,12 @@ TEST(Plan, AsTextAndJson) {
   const std::string text = plan_text(plan);
   EXPECT_THAT(text, HasSubstr("mesh       383 x 160 cells of 5 mm x 5 mm\n"));
   EXPECT_THAT(text, HasSubstr("release    1.41 kg, 2.207 L\n"));
-  for (const Effect& e : plan.effects) EXPECT_THAT(text, HasSubstr(e.reason));
+  const auto left_out = text.find("\nleft out\n");
+  for (const Effect& e : plan.effects) {
+    const auto line = text.find(fmt::format("\n  {:<20} {}\n", e.name, e.reason));
+    ASSERT_NE(line, std::string::npos) << e.name;
+    EXPECT_EQ(line < left_out, e.on) << e.name;
+  }
   for (const std::string& w : plan.warnings) EXPECT_THAT(text, HasSubstr(w));
   const nlohmann::json json = nlohmann::json::parse(plan_json(plan).dump());
   EXPECT_EQ(json["mode"], "coupled");
