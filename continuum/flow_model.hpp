@@ -63,10 +63,9 @@ class FlowModel {
   virtual std::array<double, 2> obstacle_impulse(int id) const = 0;
   // A control volume: cells whose momentum is booked from now on, so add it after the state is set. The impulse per density that
   // bodies in it took since then [m4/s], from outside: what came through its faces, by weight and by friction, less the change
-  // of its momentum. Bodies must not reach over its faces. Throws std::out_of_range where the box is empty or leaves the grid;
-  // -1: the scheme keeps no such books.
-  virtual int add_control_box(const CellBox&) { return -1; }
-  virtual std::array<double, 2> control_box_impulse(int) const { return {0, 0}; }
+  // of its momentum. Bodies must not reach over its faces. Throws std::out_of_range where the box is empty or leaves the grid.
+  virtual int add_control_box(const CellBox&) = 0;
+  virtual std::array<double, 2> control_box_impulse(int id) const = 0;
 
   // Volume that crossed the x-face at i (between cells i-1 and i) for rows [j0, j1) since the start, downslope positive [m3].
   virtual int add_gauge(int i, int j0, int j1) = 0;
@@ -84,7 +83,7 @@ class FlowModel {
   FlowModel(const FlowModel&) = default;
   FlowModel& operator=(const FlowModel&) = default;
   [[noreturn]] virtual void fail_step(double dt) const;  // NumericsError: stable steps of dt no longer get anywhere
-  virtual void set_time(double t) = 0;  // the end of advance_to, without round-off
+  virtual void set_time(double t) = 0;                   // the end of advance_to, without round-off
 };
 
 }  // namespace couloir

@@ -110,10 +110,12 @@ bool NocSolver::Impl::counted(int i, int j) const {
          !(j == g.ny && settings.sides[2].kind == Side::Kind::periodic);
 }
 
-NocSolver::Impl::Settled NocSolver::Impl::settle(double h, double hu, double hv, const Push& all, double reach, bool held) const {
+NocSolver::Impl::Settled NocSolver::Impl::settle(const Gathered& got) const {
+  const auto& [h, hu, hv] = got.sum;
+  const Push& all = got.all;
   Settled s;
   const double momentum = length(hu, hv);
-  if (!held && momentum > all.brake) {
+  if (!got.held && momentum > all.brake) {
     // As (3.10) has it; and no larger than what it brakes, so that nothing is turned round.
     s.hu = hu - (all.along_x + all.still * (hu / momentum));
     s.hv = hv - (all.along_y + all.still * (hv / momentum));
@@ -122,55 +124,66 @@ NocSolver::Impl::Settled NocSolver::Impl::settle(double h, double hu, double hv,
   if (h < settings.dry_depth) {
     s.cutoff = {-s.hu, -s.hv};
     s.hu = s.hv = 0;
-  } else if (const double speed = length(s.hu, s.hv) / h; speed > reach) {
-    const double lost = reach / speed - 1;
+  } else if (const double speed = length(s.hu, s.hv) / h; speed > got.reach) {
+    const double lost = got.reach / speed - 1;
     s.cutoff = {lost * s.hu, lost * s.hv};
     s.hu += s.cutoff[0], s.hv += s.cutoff[1];
   }
   return s;
 }
 
-void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
-  double h[2][2], hu[2][2], hv[2][2];
-  Push parts[2][2];
-  double reach = 0, in_hu = 0, in_hv = 0, in_x = 0, in_y = 0;
-  int inside = 0;
-  bool held = true;
+// Pairs across y first, then across x: mirrored scenes give mirrored bits.
+void NocSolver::Impl::Gathered::add_up() {
+  const auto four = [](const auto& value) { return (value(0, 0) + value(0, 1)) + (value(1, 0) + value(1, 1)); };
+  const auto total = [&](double Push::*member) { return four([&](int a, int b) { return push[a][b].*member; }); };
+  all.x = total(&Push::x), all.y = total(&Push::y), all.brake = total(&Push::brake), all.still = total(&Push::still);
+  all.along_x = total(&Push::along_x), all.along_y = total(&Push::along_y);
+  sum.h = four([&](int a, int b) { return share[a][b].h; });
+  sum.hu = four([&](int a, int b) { return share[a][b].hu; }) + all.x;
+  sum.hv = four([&](int a, int b) { return share[a][b].hv; }) + all.y;
+}
+
+NocSolver::Impl::Gathered NocSolver::Impl::gather_corner(int i, int j, double tau) const {
+  Gathered got;
   for (int a : {0, 1}) {
     for (int b : {0, 1}) {
       const Giver g = giver(i, j, a, b);
-      const FlowState s = share(*g.p, g.cx, g.cy);
-      h[a][b] = s.h, hu[a][b] = g.flip_x * s.hu, hv[a][b] = g.flip_y * s.hv;
-      Push& f = parts[a][b];
+      FlowState& s = got.share[a][b];
+      s = share(*g.p, g.cx, g.cy);
+      s.hu *= g.flip_x, s.hv *= g.flip_y;
       const bool given = g.p < centres.points.data() || g.p >= centres.points.data() + centres.points.size();
       if (!given) {
+        Push& f = got.push[a][b];
         f = push(*g.p, terrain, g.k, g.l, g.cx, g.cy, settings.closure.tan_delta, settings.dry_depth, tau);
         f.x *= g.flip_x, f.along_x *= g.flip_x;
         f.y *= g.flip_y, f.along_y *= g.flip_y;
       }
-      reach = std::max(reach, g.p->reach);
-      held = held && g.locked;
-      if (!g.inside) continue;
-      ++inside;
-      in_hu += s.hu, in_hv += s.hv, in_x += f.x, in_y += f.y;
+      got.reach = std::max(got.reach, g.p->reach);
+      got.held = got.held && g.locked;
+      got.inside[a][b] = g.inside;
     }
   }
-  // Pairs across y first, then across x: mirrored scenes give mirrored bits.
-  const auto four = [](const auto& value) { return (value(0, 0) + value(0, 1)) + (value(1, 0) + value(1, 1)); };
-  const auto total = [&](double Push::*member) { return four([&](int a, int b) { return parts[a][b].*member; }); };
-  Push all;
-  all.x = total(&Push::x), all.y = total(&Push::y), all.brake = total(&Push::brake), all.still = total(&Push::still);
-  all.along_x = total(&Push::along_x), all.along_y = total(&Push::along_y);
-  const double depth = four([&](int a, int b) { return h[a][b]; });
-  const double free_hu = four([&](int a, int b) { return hu[a][b]; }) + all.x;
-  const double free_hv = four([&](int a, int b) { return hv[a][b]; }) + all.y;
-  const Settled s = settle(depth, free_hu, free_hv, all, reach, held);
+  got.add_up();
+  return got;
+}
 
+void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
+  const Gathered got = gather_corner(i, j, tau);
+  const Settled s = settle(got);
   const int c = corners.at(i, j);
-  corners.q.h[c] = depth, corners.q.hu[c] = s.hu, corners.q.hv[c] = s.hv;
-  corners.locked[c] = held;
+  corners.q.h[c] = got.sum.h, corners.q.hu[c] = s.hu, corners.q.hv[c] = s.hv;
+  corners.locked[c] = got.held;
 
   if (!counted(i, j)) return;
+  double in_hu = 0, in_hv = 0, in_x = 0, in_y = 0;
+  int inside = 0;
+  for (int a : {0, 1}) {
+    for (int b : {0, 1}) {
+      if (!got.inside[a][b]) continue;
+      ++inside;
+      in_hu += got.share[a][b].hu, in_hv += got.share[a][b].hv, in_x += got.push[a][b].x, in_y += got.push[a][b].y;
+    }
+  }
   const double portion = 0.25 * inside;
   const double taken_x = portion * (s.friction[0] + s.cutoff[0]), taken_y = portion * (s.friction[1] + s.cutoff[1]);
   Budget& book = sums.budget;
@@ -178,7 +191,7 @@ void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
   for (int k : {0, 1}) book.friction[k] += portion * s.friction[k], book.cutoff[k] += portion * s.cutoff[k];
   // What a corner on a side got from inside went out; what it gives back comes in with the other half step.
   if (on_side(i, j)) book_side(i, j, -(in_hu + in_x + taken_x), -(in_hv + in_y + taken_y), book);
-  sums.note(depth, s.hu, s.hv);
+  sums.note(got.sum.h, s.hu, s.hv);
 }
 
 double NocSolver::Impl::share_to_centre(int i, int j, int a, int b) const {
@@ -188,41 +201,40 @@ double NocSolver::Impl::share_to_centre(int i, int j, int a, int b) const {
   return corners.locked[n] ? share_depth(centres.points[centres.at(i, j)], -cx, -cy) : share_depth(corners.points[n], cx, cy);
 }
 
-void NocSolver::Impl::update_centre(int i, int j, double tau, RowSums& sums) {
-  double h[2][2];
-  FlowState shares[2][2];
-  Push parts[2][2];
-  double reach = 0;
-  bool held = true;
-  Budget& book = sums.budget;
+NocSolver::Impl::Gathered NocSolver::Impl::gather_centre(int i, int j, double tau) const {
+  Gathered got;
   for (int a : {0, 1}) {
     for (int b : {0, 1}) {
       const double cx = a == 0 ? 1 : -1, cy = b == 0 ? 1 : -1;
       const int n = corners.at(i + a, j + b);
       const Point& p = corners.points[n];
-      shares[a][b] = share(p, cx, cy);
-      h[a][b] = share_to_centre(i, j, a, b);
-      parts[a][b] = push(p, terrain, 2 * i + a, 2 * j + b, cx, cy, settings.closure.tan_delta, settings.dry_depth, tau);
-      reach = std::max(reach, p.reach);
-      held = held && corners.locked[n];
-      if (on_side(i + a, j + b)) book_side(i + a, j + b, shares[a][b].hu, shares[a][b].hv, book);
+      got.share[a][b] = share(p, cx, cy);
+      got.share[a][b].h = share_to_centre(i, j, a, b);
+      got.push[a][b] = push(p, terrain, 2 * i + a, 2 * j + b, cx, cy, settings.closure.tan_delta, settings.dry_depth, tau);
+      got.reach = std::max(got.reach, p.reach);
+      got.held = got.held && corners.locked[n];
     }
   }
-  const auto four = [](const auto& value) { return (value(0, 0) + value(0, 1)) + (value(1, 0) + value(1, 1)); };
-  const auto total = [&](double Push::*member) { return four([&](int a, int b) { return parts[a][b].*member; }); };
-  Push all;
-  all.x = total(&Push::x), all.y = total(&Push::y), all.brake = total(&Push::brake), all.still = total(&Push::still);
-  all.along_x = total(&Push::along_x), all.along_y = total(&Push::along_y);
-  const int c = centres.at(i, j);
-  const double depth = held ? centres.q.h[c] : four([&](int a, int b) { return h[a][b]; });
-  const double free_hu = four([&](int a, int b) { return shares[a][b].hu; }) + all.x;
-  const double free_hv = four([&](int a, int b) { return shares[a][b].hv; }) + all.y;
-  const Settled s = settle(depth, free_hu, free_hv, all, reach, held);
-  centres.q.h[c] = depth, centres.q.hu[c] = s.hu, centres.q.hv[c] = s.hv;
+  got.add_up();
+  if (got.held) got.sum.h = centres.q.h[centres.at(i, j)];
+  return got;
+}
 
-  book.gravity[0] += all.x, book.gravity[1] += all.y;
+void NocSolver::Impl::update_centre(int i, int j, double tau, RowSums& sums) {
+  const Gathered got = gather_centre(i, j, tau);
+  const Settled s = settle(got);
+  const int c = centres.at(i, j);
+  centres.q.h[c] = got.sum.h, centres.q.hu[c] = s.hu, centres.q.hv[c] = s.hv;
+
+  Budget& book = sums.budget;
+  for (int a : {0, 1}) {
+    for (int b : {0, 1}) {
+      if (on_side(i + a, j + b)) book_side(i + a, j + b, got.share[a][b].hu, got.share[a][b].hv, book);
+    }
+  }
+  book.gravity[0] += got.all.x, book.gravity[1] += got.all.y;
   for (int k : {0, 1}) book.friction[k] += s.friction[k], book.cutoff[k] += s.cutoff[k];
-  sums.note(depth, s.hu, s.hv);
+  sums.note(got.sum.h, s.hu, s.hv);
 }
 
 }  // namespace couloir

@@ -63,15 +63,15 @@ void NocSolver::Impl::count_gauges(const CellBox& box) {
   }
 }
 
-// The sources count the push of the whole bed; the obstacles' part of it is theirs.
-void NocSolver::Impl::count_obstacles(const Lattice& givers, const CellBox& box, double tau) {
+// The sources count the push of the whole bed; the obstacles' part of it is theirs, on every quadrant that a receiver gets.
+void NocSolver::Impl::count_obstacles(const Lattice& givers, const CellBox& receivers, double tau) {
   const double part = 0.25 * tau * settings.grid.dx * settings.grid.dy;
   const int shift = &givers == &corners ? 1 : 0;  // quarter k belongs to centre k / 2 or corner (k + 1) / 2
   for (int id = 0; id < terrain.obstacles(); ++id) {
     double x = 0, y = 0;
     for (const auto& q : terrain.obstacle(id)) {
       const int i = (q.k + shift) / 2, j = (q.l + shift) / 2;
-      if (!box.contains(i, j)) continue;
+      if (!receivers.contains((q.k + 1 - shift) / 2, (q.l + 1 - shift) / 2)) continue;
       const double cx = givers.quarter(i) == q.k ? -1 : 1, cy = givers.quarter(j) == q.l ? -1 : 1;
       const double weight = terrain.weight(q.k) * noc::quarter_depth(givers.points[givers.at(i, j)], cx, cy);
       x += weight * q.slope.x, y += weight * q.slope.y;

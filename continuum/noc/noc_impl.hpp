@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "continuum/noc/control_box.hpp"
 #include "continuum/noc/lattice.hpp"
 #include "continuum/noc/noc_solver.hpp"
 #include "continuum/noc/share.hpp"
@@ -38,6 +39,17 @@ struct NocSolver::Impl {
     bool inside;
     int outflow = -1, inflow = -1;  // side
   };
+  // What a point gets from its four quadrants, [a][b]: a = 0 the lower one in x, b in y.
+  struct Gathered {
+    FlowState share[2][2];
+    noc::Push push[2][2];
+    bool inside[2][2] = {};  // of the domain; of corners only
+    FlowState sum;           // of the shares, with the pushes of gravity and bed
+    noc::Push all;
+    double reach = 0;
+    bool held = true;
+    void add_up();
+  };
   struct RowSums {  // per area of a cell
     Budget budget;
     double min_depth = std::numeric_limits<double>::infinity();
@@ -57,9 +69,9 @@ struct NocSolver::Impl {
 
   void step(double dt);
   double stable_dt();
-  void refresh();                         // window, ghosts, state, signal rate, where the state has changed
-  void refresh_state();                  // ghosts, state and signal rate
-  bool set_inflow(double at);            // for the time given
+  void refresh();              // window, ghosts, state, signal rate, where the state has changed
+  void refresh_state();        // ghosts, state and signal rate
+  bool set_inflow(double at);  // for the time given
   void lay_lines();
   void wet_inflow();
   CellBox window(int margin) const;       // the wet cells and so many around them
@@ -79,11 +91,13 @@ struct NocSolver::Impl {
   Line line(int corner, int which, int cells, int low_side) const;
   Giver giver(int i, int j, int a, int b) const;
   void make_inflow(double tau);
+  Gathered gather_corner(int i, int j, double tau) const;
+  Gathered gather_centre(int i, int j, double tau) const;
   void update_corner(int i, int j, double tau, RowSums&);
   void update_centre(int i, int j, double tau, RowSums&);
   // Friction, film and speed bound on the momentum that the other terms would give.
-  Settled settle(double h, double hu, double hv, const noc::Push& all, double reach, bool held) const;
-  bool on_side(int i, int j) const;                          // a corner on a side that is not periodic
+  Settled settle(const Gathered&) const;
+  bool on_side(int i, int j) const;  // a corner on a side that is not periodic
   // What came in through a corner on a side; where two sides meet each gets what is normal to it.
   void book_side(int i, int j, double x, double y, Budget&) const;
   bool on_open_side(int i, int j) const;                     // outflow or inflow
@@ -91,8 +105,12 @@ struct NocSolver::Impl {
   double share_to_centre(int i, int j, int a, int b) const;  // depth that corner (i + a, j + b) gives back to cell (i, j)
   double gain(int i, int j, int a, int b) const;  // depth that cell (i, j) gets from its corner (a, b) beyond what it gave
   void count_sides(const CellBox& corners);
-  void count_obstacles(const Lattice& givers, const CellBox& box, double tau);
+  void count_obstacles(const Lattice& givers, const CellBox& receivers, double tau);
   void count_gauges(const CellBox& corners);
+  void count_boxes(const CellBox& cells, double tau);  // after both half steps are known, before the centres change
+  void count_box_corner(const CellBox& box, int i, int j, double tau, noc::BoxTerms&) const;
+  void count_box_centre(const CellBox& box, int i, int j, double tau, noc::BoxTerms&) const;
+  std::array<double, 2> momentum_in(const CellBox&) const;  // [m4/s]
   void find_wet(const CellBox& cells);
   void collect(const std::vector<RowSums>&);
   void check_finite() const;  // throws NumericsError
@@ -113,6 +131,7 @@ struct NocSolver::Impl {
 
   std::vector<std::array<double, 2>> impulse;
   std::vector<Gauge> gauges;
+  std::vector<noc::ControlBox> boxes;
   Budget budget;
   double time = 0;
   std::int64_t steps = 0, cell_updates = 0, limited_count = 0;

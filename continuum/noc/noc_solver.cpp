@@ -12,7 +12,7 @@
 namespace couloir {
 namespace {
 
-constexpr std::uint64_t signature = 0x31636f6e6c756f63;  // changes with the layout
+constexpr std::uint64_t signature = 0x32636f6e6c756f63;  // changes with the layout
 
 void check(const SolverSettings& s, const ReferenceSurface& surface) {
   const auto require = [](bool good, const char* sentence) {
@@ -197,6 +197,25 @@ std::array<double, 2> NocSolver::obstacle_impulse(int id) const {
   return impl_->impulse.at(id);
 }
 
+int NocSolver::add_control_box(const CellBox& box) {
+  const Grid& g = grid();
+  if (box.empty() || box.i0 < 0 || box.j0 < 0 || box.i1 > g.nx || box.j1 > g.ny) {
+    throw std::out_of_range("A control box needs cells, and all of them inside the grid; move it.");
+  }
+  impl_->boxes.push_back({box, impl_->momentum_in(box), {}});
+  return static_cast<int>(impl_->boxes.size()) - 1;
+}
+
+std::array<double, 2> NocSolver::control_box_impulse(int id) const {
+  const noc::ControlBox& box = impl_->boxes.at(id);
+  const auto now = impl_->momentum_in(box.cells);
+  std::array<double, 2> out;
+  for (int k : {0, 1}) {
+    out[k] = box.terms.faces[k] + box.terms.weight[k] + box.terms.friction[k] - (now[k] - box.before[k]);
+  }
+  return out;
+}
+
 int NocSolver::add_gauge(int i, int j0, int j1) {
   const Grid& g = grid();
   if (i < 0 || i > g.nx || j0 < 0 || j1 > g.ny || j0 >= j1) {
@@ -231,6 +250,8 @@ std::vector<std::uint8_t> NocSolver::checkpoint() const {
   for (const auto& impulse : m.impulse) put(impulse);
   put(static_cast<int>(m.gauges.size()));
   for (const Impl::Gauge& g : m.gauges) put(g);
+  put(static_cast<int>(m.boxes.size()));
+  for (const noc::ControlBox& b : m.boxes) put(b);
   put(m.budget);
   return std::move(put.bytes);
 }
@@ -255,6 +276,8 @@ void NocSolver::restore(const std::vector<std::uint8_t>& bytes) {
   for (auto& impulse : m.impulse) impulse = in.take<std::array<double, 2>>();
   m.gauges.resize(in.take<int>());
   for (Impl::Gauge& g : m.gauges) g = in.take<Impl::Gauge>();
+  m.boxes.resize(in.take<int>());
+  for (noc::ControlBox& b : m.boxes) b = in.take<noc::ControlBox>();
   m.budget = in.take<Budget>();
   if (!in.done()) throw std::invalid_argument("The continuum's checkpoint is longer than its state; restore an earlier one.");
 }

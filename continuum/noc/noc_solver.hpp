@@ -39,6 +39,8 @@ class NocSolver final : public FlowModel {
 
   // By the bed's slope, (7.1) and (7.2): the integral of g cos(zeta) h grad z_b of this obstacle.
   std::array<double, 2> obstacle_impulse(int id) const override;
+  int add_control_box(const CellBox&) override;  // a bed that is no obstacle is no body
+  std::array<double, 2> control_box_impulse(int id) const override;
   int add_gauge(int i, int j0, int j1) override;
   double gauge(int id) const override;
 

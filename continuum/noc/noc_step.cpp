@@ -120,10 +120,11 @@ bool NocSolver::Impl::half_step_to_corners(double tau) {
 void NocSolver::Impl::half_step_to_centres(double tau) {
   const CellBox cells = window(1);
   limit_centres(cells);
-  count_obstacles(centres, window(4), tau);
-  count_obstacles(corners, corners_of(cells), tau);
+  count_obstacles(centres, corner_box, tau);
+  count_obstacles(corners, cells, tau);
   count_sides(corners_of(cells));
   count_gauges(corners_of(cells));
+  count_boxes(cells, tau);
   std::vector<RowSums> rows(cells.j1 - cells.j0);
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
   for (int j = cells.j0; j < cells.j1; ++j) {

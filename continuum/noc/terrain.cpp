@@ -23,6 +23,7 @@ Terrain::Terrain(const Grid& g, const ReferenceSurface& surface, const NocBed& b
   level_ = parts.empty();
   if (level_) return;
   slope_.resize(static_cast<std::size_t>(nx_) * ny_);
+  if (bed.ground) ground_.resize(slope_.size());
   height_.resize(static_cast<std::size_t>(g.nx) * g.ny);
   for (std::size_t n = 0; n < parts.size(); ++n) {
     const auto& z = parts[n];
@@ -33,7 +34,11 @@ Terrain::Terrain(const Grid& g, const ReferenceSurface& surface, const NocBed& b
         if (s.x == 0 && s.y == 0) continue;
         Gradient& sum = slope_[static_cast<std::size_t>(l) * nx_ + k];
         sum = {sum.x + s.x, sum.y + s.y};
-        if (n < obstacles_.size()) obstacles_[n].push_back({k, l, s});
+        if (n < obstacles_.size()) {
+          obstacles_[n].push_back({k, l, s});
+        } else {
+          ground_[static_cast<std::size_t>(l) * nx_ + k] = s;
+        }
       }
     }
     for (int j = 0; j < g.ny; ++j) {

@@ -40,6 +40,8 @@ class Terrain {
   // Rise of z_b over the quadrant's width by that width: the derivative itself where the bed is a plane there, and the mean of
   // the planes that meet where it is not, as (4.9) has it; no step, however thin, falls between the points.
   Gradient slope(int k, int l) const { return level_ ? Gradient{} : slope_[static_cast<std::size_t>(l) * nx_ + k]; }
+  // The part of it that is no obstacle's.
+  Gradient ground(int k, int l) const { return ground_.empty() ? Gradient{} : ground_[static_cast<std::size_t>(l) * nx_ + k]; }
   bool level() const { return level_; }  // z_b = 0 everywhere
 
   double height(int i, int j) const;  // z_b at a cell centre [m]
@@ -58,7 +60,7 @@ class Terrain {
   bool level_ = true;
   double steepest_ = 0;
   std::vector<double> weight_, drive_, kappa_, height_;
-  std::vector<Gradient> slope_;
+  std::vector<Gradient> slope_, ground_;
   std::vector<std::vector<QuarterSlope>> obstacles_;
 };
 

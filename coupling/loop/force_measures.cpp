@@ -50,7 +50,6 @@ ForceMeasures::ForceMeasures(const Scene& scene, const ReferenceSurface& surface
     const CellBox box = cells_around(scene.obstacles[n], solver.grid(), margin);
     if (meet(box, zone) || !alone(scene, n, box, solver.grid())) continue;
     const int id = solver.add_control_box(box);
-    if (id < 0) break;  // the scheme keeps no such books
     list_.push_back({scene.obstacles[n].name, "control_volume"});
     boxes_.push_back({id});
   }

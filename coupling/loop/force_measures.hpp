@@ -3,8 +3,7 @@
 //
 //   control_volume      on every obstacle: the momentum balance of the box two cells around its base. Equal to ObstacleForce to
 //                       round-off, unless something is wrong; round an obstacle of method planes also what turns the flow about
-//                       its convex edges, which ObstacleForce leaves out. Not for an obstacle whose box holds another's cells,
-//                       nor by the scheme noc
+//                       its convex edges, which ObstacleForce leaves out. Not for an obstacle whose box holds another's cells
 //   elevation           on an obstacle by elevation: (7.1), (7.2) as the dissertation sums them,
 //                       rho sum of g cos(zeta) dz_b/dx h dx dy over its cells
 //   elevation_upstream  the same over the cells that rise down the slope, dz_b/dx > 0: the front
