@@ -224,8 +224,8 @@ void PlaneFlow::stage(StageName name, double dt, Tally& t) {
   const Axis x = Axis::x(b, w, grid().dx, grid().dy), y = Axis::y(b, w, grid().dx, grid().dy);
   for (const Axis& axis : {x, y}) {
     find_shocks(parameters_, b, axis, state_.now, w.smooth);
-    with_limiter(settings_.limiter, [&](auto limiter) { reconstruct_all<decltype(limiter)>(b, axis, state_.now, w, w.values); });
-    face_fluxes(b, axis, w, w.values);
+    reconstruct_all(parameters_, b, axis, state_.now, w, w.values);
+    face_fluxes(parameters_, b, axis, w, w.values);
     FaceFluxes& f = *axis.fluxes;
     for (SideName side : all_sides) {
       if (is_a(side) != axis.along_x) continue;
@@ -241,7 +241,7 @@ void PlaneFlow::stage(StageName name, double dt, Tally& t) {
   limit_outflow(name, dt);
   std::fill(w.source_x.begin(), w.source_x.end(), 0.0);
   for (int c = 0; c < b.size(); ++c) w.source_y[c] = state_.now.h[c] * settings_.drive_b;
-  update(parameters_, b, state_, w, name, dt, false, t);
+  update(parameters_, b, state_, w, name, dt, true, false, t);
 }
 
 Budget PlaneFlow::take_budget() {

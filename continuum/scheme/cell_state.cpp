@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuum/scheme/effects.hpp"
 namespace couloir {
 namespace {
 
@@ -47,17 +48,16 @@ void find_velocity(const Parameters& p, const Block& b, const Fields& q, Scratch
     const double depth = wet ? h[c] : 1.0;
     u[c] = wet ? hu[c] / depth : 0.0;
     v[c] = wet ? hv[c] / depth : 0.0;
-    eta[c] = h[c] + bed[c];
+  }
+  if (with_relief(b)) {
+#pragma omp simd
+    for (int c = 0; c < n; ++c) eta[c] = h[c] + bed[c];
   }
 }
 
 void find_earth_pressure(const Parameters& p, const Block& b, const StepFaces& steps, const Fields& q, Scratch& w) {
+  if (!with_earth_pressure(p)) return;  // K = 1, as Scratch::resize() left it
   const EarthPressure k = p.closure.earth_pressure;
-  if (k.is_hydraulic()) {
-    std::fill(w.kx.begin(), w.kx.end(), 1.0);
-    std::fill(w.ky.begin(), w.ky.end(), 1.0);
-    return;
-  }
   const int row = b.row();
   const double dry = p.dry_depth, dx = p.grid.dx, dy = p.grid.dy;
   const double *h = q.h.data(), *u = w.u.data(), *v = w.v.data();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "continuum/scheme/effects.hpp"
 #include "continuum/scheme/hll.hpp"
 
 namespace couloir {
@@ -24,7 +25,7 @@ inline double foot(double h, double over, double gained, double weight, double d
 }
 
 // Without relief h* = h and the bed does not push: the same bits for less work.
-template <bool relief>
+template <bool relief, bool flattening>
 void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
   const int step = axis.step;
   FaceFluxes& out = *axis.fluxes;
@@ -40,16 +41,17 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
 #pragma omp simd
     for (int i = 0; i < axis.faces_i; ++i) {
       const int r = begin + i, l = r - step;
-      const double gl = k[l] * weight[i], gr = k[r] * weight[i];
+      const double kl = built::earth_pressure ? k[l] : 1.0, kr = built::earth_pressure ? k[r] : 1.0;
+      const double gl = kl * weight[i], gr = kr * weight[i];
       const double hl = h_hi[l], hr = h_lo[r];
       double over_l = hl, over_r = hr;
       if constexpr (relief) {
         const double zl = eta_hi[l] - hl, zr = eta_lo[r] - hr, sill = std::max(zl, zr);
         // h - (sill - z) / K, written so that K = 1 keeps the bits of a lake's level.
-        over_l = std::max(0.0, std::min(hl, (eta_hi[l] - sill) + (1 - 1 / k[l]) * (sill - zl)));
-        over_r = std::max(0.0, std::min(hr, (eta_lo[r] - sill) + (1 - 1 / k[r]) * (sill - zr)));
+        over_l = std::max(0.0, std::min(hl, (eta_hi[l] - sill) + (1 - 1 / kl) * (sill - zl)));
+        over_r = std::max(0.0, std::min(hr, (eta_lo[r] - sill) + (1 - 1 / kr) * (sill - zr)));
       }
-      const NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr, smooth[l] * smooth[r] == 0);
+      const NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr, flattening && smooth[l] * smooth[r] == 0);
       const double m = n.mass * std::max(loose[l], loose[r]);
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
@@ -57,8 +59,8 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
       double push_l = 0, push_r = 0;
       if constexpr (relief) {
         const double zl = eta_hi[l] - hl, zr = eta_lo[r] - hr, sill = std::max(zl, zr);
-        const double turned_l = wall_share(sill - zl, k[l] * hl, spacing) * (wall_flux(hl, un_hi[l], gl) - pressure(hl, gl));
-        const double turned_r = wall_share(sill - zr, k[r] * hr, spacing) * (wall_flux(hr, -un_lo[r], gr) - pressure(hr, gr));
+        const double turned_l = wall_share(sill - zl, kl * hl, spacing) * (wall_flux(hl, un_hi[l], gl) - pressure(hl, gl));
+        const double turned_r = wall_share(sill - zr, kr * hr, spacing) * (wall_flux(hr, -un_lo[r], gr) - pressure(hr, gr));
         const double gained = un_hi[l] - 0.5 * std::max(un[l - step], 0.0);
         const double blocked = foot(hl, over_l, gained, weight[i], deep[i]);
         push_l = (pressure(hl, gl) - pressure(over_l, gl)) + (un_hi[l] > 0 ? std::max(turned_l, blocked) : turned_l);
@@ -88,8 +90,9 @@ void flatten_at_feet(const Block& b, const Axis& axis, const Fields& q, std::vec
   }
 }
 
-void face_fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
-  b.relief ? fluxes<true>(b, axis, w, f) : fluxes<false>(b, axis, w, f);
+void face_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
+  if (with_relief(b)) return fluxes<built::relief, built::all>(b, axis, w, f);
+  with_friction(p) ? fluxes<false, built::friction>(b, axis, w, f) : fluxes<false, false>(b, axis, w, f);
 }
 
 void bed_source(const Block& b, const Axis& axis, const FaceValues& f) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "continuum/scheme/axis.hpp"
+#include "continuum/scheme/parameters.hpp"
 
 namespace couloir {
 
@@ -24,7 +25,7 @@ namespace couloir {
 void flatten_at_feet(const Block&, const Axis&, const Fields&, std::vector<double>& smooth);
 
 // Between two locked cells the mass flux is exactly zero.
-void face_fluxes(const Block&, const Axis&, const Scratch&, const FaceValues&);
+void face_fluxes(const Parameters&, const Block&, const Axis&, const Scratch&, const FaceValues&);
 
 // axis.source: the bed's push within the cell, -g cos(zeta) h dz_b/dx.
 void bed_source(const Block&, const Axis&, const FaceValues&);

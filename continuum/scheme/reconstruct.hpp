@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "continuum/scheme/axis.hpp"
+#include "continuum/scheme/effects.hpp"
 #include "continuum/scheme/limiter.hpp"
 #include "continuum/scheme/parameters.hpp"
 
@@ -21,8 +22,8 @@ namespace couloir {
 constexpr double shock_strength = 0.1, shock_share = 0.1;
 
 inline void find_shocks(const Parameters& p, const Block& b, const Axis& axis, const Fields& q, std::vector<double>& smooth) {
-  if (!(p.closure.tan_delta > 0)) {
-    std::fill(smooth.begin(), smooth.end(), 1.0);
+  if (!with_friction(p)) {
+    if (with_relief(b)) std::fill(smooth.begin(), smooth.end(), 1.0);
     return;
   }
   const int step = axis.step;
@@ -44,7 +45,7 @@ inline void find_shocks(const Parameters& p, const Block& b, const Axis& axis, c
 
 // The depth keeps half of itself at either face. Steeper limiters would draw it to zero at the face to a dry cell: what the
 // slope drives there could not leave, and would gain speed without end. minmod never draws more.
-template <class L>
+template <class L, bool flattening>
 void reconstruct_depth(const Block& b, const Axis& axis, const double* __restrict smooth, const double* __restrict q,
                        double* __restrict lo, double* __restrict hi) {
   const int step = axis.step;
@@ -53,14 +54,15 @@ void reconstruct_depth(const Block& b, const Axis& axis, const double* __restric
 #pragma omp simd
     for (int c = begin; c < end; ++c) {
       const double most = 0.5 * q[c];
-      const double half = std::min(std::max(0.5 * smooth[c] * L::slope(q[c] - q[c - step], q[c + step] - q[c]), -most), most);
+      const double half = std::min(
+          std::max(0.5 * (flattening ? smooth[c] : 1.0) * L::slope(q[c] - q[c - step], q[c + step] - q[c]), -most), most);
       lo[c] = q[c] - half;
       hi[c] = q[c] + half;
     }
   }
 }
 
-template <class L>
+template <class L, bool flattening>
 void reconstruct(const Block& b, const Axis& axis, const double* __restrict smooth, const double* __restrict q,
                  double* __restrict lo, double* __restrict hi) {
   const int step = axis.step;
@@ -68,26 +70,29 @@ void reconstruct(const Block& b, const Axis& axis, const double* __restrict smoo
     const int begin = b.at(axis.first_i(), j), end = b.at(axis.faces_i, j);
 #pragma omp simd
     for (int c = begin; c < end; ++c) {
-      const double half = 0.5 * smooth[c] * L::slope(q[c] - q[c - step], q[c + step] - q[c]);
+      const double half = 0.5 * (flattening ? smooth[c] : 1.0) * L::slope(q[c] - q[c - step], q[c + step] - q[c]);
       lo[c] = q[c] - half;
       hi[c] = q[c] + half;
     }
   }
 }
 
-// All four quantities. On a bed without relief the surface is the depth.
-template <class L>
-void reconstruct_all(const Block& b, const Axis& axis, const Fields& q, const Scratch& w, FaceValues& f) {
+template <class L, bool flattening>
+void reconstruct_each(const Block& b, const Axis& axis, const Fields& q, const Scratch& w, FaceValues& f) {
   const double* smooth = w.smooth.data();
-  reconstruct_depth<L>(b, axis, smooth, q.h.data(), f.h_lo.data(), f.h_hi.data());
-  if (b.relief) {
-    reconstruct<L>(b, axis, smooth, w.eta.data(), f.eta_lo.data(), f.eta_hi.data());
-  } else {
-    f.eta_lo = f.h_lo;
-    f.eta_hi = f.h_hi;
-  }
-  reconstruct<L>(b, axis, smooth, axis.un, f.un_lo.data(), f.un_hi.data());
-  reconstruct<L>(b, axis, smooth, axis.ut, f.ut_lo.data(), f.ut_hi.data());
+  reconstruct_depth<L, flattening>(b, axis, smooth, q.h.data(), f.h_lo.data(), f.h_hi.data());
+  if (with_relief(b)) reconstruct<L, flattening>(b, axis, smooth, w.eta.data(), f.eta_lo.data(), f.eta_hi.data());
+  reconstruct<L, flattening>(b, axis, smooth, axis.un, f.un_lo.data(), f.un_hi.data());
+  reconstruct<L, flattening>(b, axis, smooth, axis.ut, f.ut_lo.data(), f.ut_hi.data());
+}
+
+// All four quantities. On a bed without relief the surface is the depth, and nobody looks at it.
+inline void reconstruct_all(const Parameters& p, const Block& b, const Axis& axis, const Fields& q, const Scratch& w,
+                            FaceValues& f) {
+  with_limiter(p.limiter, [&](auto limiter) {
+    using L = decltype(limiter);
+    with_flattening(p, b) ? reconstruct_each<L, built::all>(b, axis, q, w, f) : reconstruct_each<L, false>(b, axis, q, w, f);
+  });
 }
 
 }  // namespace couloir

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuum/scheme/effects.hpp"
 namespace couloir {
 namespace {
 
@@ -19,7 +20,7 @@ class RestTest {
   bool locked(int i, int j) const {
     const int c = b_.at(i, j);
     if (q_.h[c] < p_.dry_depth) return true;
-    if (q_.hu[c] != 0 || q_.hv[c] != 0 || !(mu_ > 0)) return false;
+    if (q_.hu[c] != 0 || q_.hv[c] != 0) return false;
     const int gi = b_.i0 + i, gj = b_.j0 + j, row = b_.row();
     const double kx = w_.kx[c], ky = w_.ky[c];
     const Slope x_lo = slope(c, c - 1, kx, gi == 0 && wall(0)), x_hi = slope(c, c + 1, kx, gi == p_.grid.nx - 1 && wall(1));
@@ -76,9 +77,25 @@ void copy_from_inside(const Parameters& p, const Block& b, std::vector<double>& 
   }
 }
 
+// Without friction nothing else is locked.
+void dry_cells(const Parameters& p, const Block& b, const BlockState& s, std::vector<double>& locked_or_loose) {
+  const double *h = s.now.h.data(), *open = s.open.data(), dry = p.dry_depth;
+  double* loose = locked_or_loose.data();
+  for (int j = -1; j <= b.ny; ++j) {
+    const int begin = b.at(-1, j), end = b.at(b.nx, j);
+#pragma omp simd
+    for (int c = begin; c <= end; ++c) loose[c] = open[c] == 1 && h[c] < dry ? 0.0 : 1.0;
+  }
+}
+
 }  // namespace
 
 void find_locked(const Parameters& p, const Block& b, const BlockState& s, Scratch& w) {
+  if (!with_friction(p)) {
+    dry_cells(p, b, s, w.loose);
+    copy_from_inside(p, b, w.loose);
+    return;
+  }
   const RestTest test(p, b, s, w);
   for (int j = -1; j <= b.ny; ++j) {
     for (int i = -1; i <= b.nx; ++i) {

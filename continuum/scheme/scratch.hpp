@@ -29,18 +29,20 @@ struct FaceFluxes {
 };
 
 struct Scratch {
-  std::vector<double> u, v, eta;  // velocity [m/s], surface [m]
-  std::vector<double> kx, ky;     // earth pressure coefficients
-  std::vector<double> loose;      // 0 where the cell is locked at rest, else 1
-  std::vector<double> smooth;     // 0 in a shock along the present axis, else 1
+  std::vector<double> u, v;    // velocity [m/s]
+  std::vector<double> eta;     // surface [m]; only on a bed with relief
+  std::vector<double> kx, ky;  // earth pressure coefficients; 1 where the closure is hydraulic
+  std::vector<double> loose;   // 0 where the cell is locked at rest, else 1
+  std::vector<double> smooth;  // 0 in a shock along the present axis, else 1; only with friction or relief
   FaceValues values;
   FaceFluxes x, y;
-  std::vector<double> source_x, source_y;    // momentum from the bed within the cell [m2/s2]
+  std::vector<double> source_x, source_y;    // momentum from the bed within the cell [m2/s2]; only on a bed with relief
   std::vector<double> lost_x, lost_y;        // to friction and cut-off in this stage [m2/s]; only where a control box asks
   std::vector<std::vector<double>> columns;  // sums by column of the block
 
   void resize(int n) {
-    for (auto* a : {&u, &v, &eta, &kx, &ky, &loose, &smooth, &source_x, &source_y, &lost_x, &lost_y}) a->resize(n);
+    for (auto* a : {&u, &v, &eta, &loose, &smooth, &source_x, &source_y, &lost_x, &lost_y}) a->resize(n);
+    for (auto* a : {&kx, &ky}) a->assign(n, 1.0);
     values.resize(n), x.resize(n), y.resize(n);
   }
 };

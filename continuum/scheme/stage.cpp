@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "continuum/scheme/cell_state.hpp"
+#include "continuum/scheme/effects.hpp"
 #include "continuum/scheme/face_flux.hpp"
 #include "continuum/scheme/reconstruct.hpp"
 #include "continuum/scheme/rest.hpp"
@@ -14,18 +16,14 @@ namespace {
 void fluxes_along(const Axis& axis, const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone,
                   const BlockState& s, Scratch& w) {
   find_shocks(p, b, axis, s.now, w.smooth);
-  if (b.relief) flatten_at_feet(b, axis, s.now, w.smooth);
-  with_limiter(p.limiter, [&](auto limiter) { reconstruct_all<decltype(limiter)>(b, axis, s.now, w, w.values); });
+  if (with_relief(b)) flatten_at_feet(b, axis, s.now, w.smooth);
+  reconstruct_all(p, b, axis, s.now, w, w.values);
   flatten_at_steps(faces.steps, b, s.now, w, axis, w.values);
-  face_fluxes(b, axis, w, w.values);
+  face_fluxes(p, b, axis, w, w.values);
   step_face_fluxes(faces.steps, b, w, axis, w.values);
   side_fluxes(p, b, axis, w.values);
   rim_fluxes(faces.rim, zone, axis);
-  if (b.relief) {
-    bed_source(b, axis, w.values);
-  } else {
-    std::fill_n(axis.source, b.size(), 0.0);
-  }
+  if (with_relief(b)) bed_source(b, axis, w.values);
 }
 
 void count_gauges(const BlockFaces& faces, const Block& b, const BlockState& s, const Axis& x, double share, Tally& t) {
@@ -50,12 +48,12 @@ void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, con
     fluxes_along(axis, p, b, faces, zone, s, w);
     count_sides(p, b, s, axis, 0.5 * dt, t);
     count_step_faces(faces.steps, b, s, axis, 0.5 * dt, t);
-    count_bed_push(faces.pushed, b, s, axis, 0.5 * dt, t);
+    if (with_relief(b)) count_bed_push(faces.pushed, b, s, axis, 0.5 * dt, t);
     count_box_faces(faces.boxes, b, axis, 0.5 * dt, t);
   }
   count_gauges(faces, b, s, x, 0.5 * dt, t);
   count_box_weight(faces.boxes, b, s, p.grid, 0.5 * dt, t);
-  update(p, b, s, w, stage, dt, !faces.boxes.empty(), t);
+  update(p, b, s, w, stage, dt, with_relief(b), !faces.boxes.empty(), t);
   count_box_friction(faces.boxes, b, w, p.grid, t);
 }
 
@@ -65,17 +63,21 @@ double signal_rate(const Parameters& p, const Block& b, const BlockFaces& faces,
   const auto comes_in = [&](int side) { return p.sides[side].kind == Side::Kind::inflow ? 1 : 0; };
   const int i0 = b.i0 == 0 ? -comes_in(0) : 0, i1 = b.nx + (b.i0 + b.nx == p.grid.nx ? comes_in(1) : 0);
   const int j0 = b.j0 == 0 ? -comes_in(2) : 0, j1 = b.ny + (b.j0 + b.ny == p.grid.ny ? comes_in(3) : 0);
-  double rate = 0;
-  for (int j = j0; j < j1; ++j) {
-    for (int i = i0; i < i1; ++i) {
-      const int c = b.at(i, j);
-      const double gh = b.weight[i + Block::ghosts] * std::max(0.0, s.now.h[c]);
-      const double here =
-          (std::abs(w.u[c]) + std::sqrt(w.kx[c] * gh)) / p.grid.dx + (std::abs(w.v[c]) + std::sqrt(w.ky[c] * gh)) / p.grid.dy;
-      rate = std::max(rate, here);
+  const auto fastest = [&]<bool earth_pressure>(std::bool_constant<earth_pressure>) {
+    double rate = 0;
+    for (int j = j0; j < j1; ++j) {
+      for (int i = i0; i < i1; ++i) {
+        const int c = b.at(i, j);
+        const double gh = b.weight[i + Block::ghosts] * std::max(0.0, s.now.h[c]);
+        const double kx = earth_pressure ? w.kx[c] : 1.0, ky = earth_pressure ? w.ky[c] : 1.0;
+        const double here =
+            (std::abs(w.u[c]) + std::sqrt(kx * gh)) / p.grid.dx + (std::abs(w.v[c]) + std::sqrt(ky * gh)) / p.grid.dy;
+        rate = std::max(rate, here);
+      }
     }
-  }
-  return rate;
+    return rate;
+  };
+  return with_earth_pressure(p) ? fastest(std::bool_constant<built::earth_pressure>()) : fastest(std::false_type());
 }
 
 }  // namespace couloir

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "continuum/flow/flux.hpp"
 #include "continuum/flow/friction.hpp"
+#include "continuum/scheme/effects.hpp"
 
 namespace couloir {
 namespace {
@@ -36,7 +38,7 @@ inline Halves halves(double lower, double upper, bool lower_locked, bool upper_l
   return {free_lower + free_upper, (lower - free_lower) + (upper - free_upper)};
 }
 
-template <StageName stage, bool keep_losses>
+template <StageName stage, bool keep_losses, bool friction, bool earth_pressure, bool sources>
 void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, double dt, int j) {
   const int row = b.row(), begin = b.at(0, j);
   const double per_dx = 1 / p.grid.dx, per_dy = 1 / p.grid.dy, mu = p.closure.tan_delta, dry = p.dry_depth;
@@ -65,9 +67,10 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
 
     // Flux differences and sources.
     const double raw_h = old_h - dt * ((x_mass[c + 1] - x_mass[c]) * per_dx + (y_mass[c + row] - y_mass[c]) * per_dy);
-    const double push_x = old_h * drive[i] + source_x[c], push_y = source_y[c];
+    const double push_x = old_h * drive[i] + (sources ? source_x[c] : 0.0), push_y = sources ? source_y[c] : 0.0;
     const double x_by_y = (y_tangent[c + row] - y_tangent[c]) * per_dy, y_by_x = (x_tangent[c + 1] - x_tangent[c]) * per_dx;
-    const double mid_x = pressure(old_h, kx[c] * weight[i]), mid_y = pressure(old_h, ky[c] * weight[i]);
+    const double mid_x = pressure(old_h, (earth_pressure ? kx[c] : 1.0) * weight[i]),
+                 mid_y = pressure(old_h, (earth_pressure ? ky[c] : 1.0) * weight[i]);
     const Halves x = halves(0.5 * push_x + (x_above[c] - mid_x) * per_dx, 0.5 * push_x - (x_below[c + 1] - mid_x) * per_dx,
                             loose[c] + loose[c - 1] == 0, loose[c] + loose[c + 1] == 0);
     const Halves y = halves(0.5 * push_y + (y_above[c] - mid_y) * per_dy, 0.5 * push_y - (y_below[c + row] - mid_y) * per_dy,
@@ -76,8 +79,11 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
 
     // Friction. A locked cell among locked cells is held whatever the rounding says.
     const bool held = loose[c] + loose[c - 1] + loose[c + 1] + loose[c - row] + loose[c + row] == 0;
-    const double capacity = coulomb_capacity(dt, mu, weight[i], kappa[i], u[c], old_h);
-    const double factor = held ? 0.0 : coulomb_factor(std::sqrt(free_hu * free_hu + free_hv * free_hv), capacity);
+    double factor = held ? 0.0 : 1.0;
+    if constexpr (friction) {
+      const double capacity = coulomb_capacity(dt, mu, weight[i], built::curvature ? kappa[i] : 0.0, u[c], old_h);
+      factor = held ? 0.0 : coulomb_factor(std::sqrt(free_hu * free_hu + free_hv * free_hv), capacity);
+    }
     double new_hu = free_hu * factor, new_hv = free_hv * factor;
     double lost_x = 0.5 * ((new_hu - free_hu) - dt * x.held), lost_y = 0.5 * ((new_hv - free_hv) - dt * y.held);
 
@@ -131,14 +137,27 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
   }
 }
 
+using Row = void (*)(const Parameters&, const Block&, BlockState&, Scratch&, double dt, int j);
+
+// The row's kernel for what is asked at run time.
+template <StageName stage, bool... given>
+Row chosen(std::initializer_list<bool> asked) {
+  if constexpr (sizeof...(given) == 4) {
+    return update_row<stage, given...>;
+  } else {
+    const bool next = asked.begin()[sizeof...(given)];
+    return next ? chosen<stage, given..., true>(asked) : chosen<stage, given..., false>(asked);
+  }
+}
+
 }  // namespace
 
-void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, StageName stage, double dt, bool keep_losses,
-            Tally& t) {
+void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, StageName stage, double dt, bool sources,
+            bool keep_losses, Tally& t) {
   clear(w.columns, b.nx);
-  constexpr auto predictor = StageName::predictor, corrector = StageName::corrector;
-  const auto row = stage == predictor ? (keep_losses ? update_row<predictor, true> : update_row<predictor, false>)
-                                      : (keep_losses ? update_row<corrector, true> : update_row<corrector, false>);
+  const auto row = stage == StageName::predictor
+                       ? chosen<StageName::predictor>({keep_losses, with_friction(p), with_earth_pressure(p), sources})
+                       : chosen<StageName::corrector>({keep_losses, with_friction(p), with_earth_pressure(p), sources});
   for (int j = 0; j < b.ny; ++j) row(p, b, s, w, dt, j);
   const double area = p.grid.dx * p.grid.dy;
   t.budget.gravity[0] += area * sum(w.columns[gravity_x]);

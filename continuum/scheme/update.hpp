@@ -13,7 +13,8 @@ namespace couloir {
 
 enum class StageName { predictor, corrector };
 
-// keep_losses: whether to leave what friction took in Scratch::lost_x, lost_y.
-void update(const Parameters&, const Block&, BlockState&, Scratch&, StageName, double dt, bool keep_losses, Tally&);
+// sources: whether Scratch::source_x, source_y are to be added. keep_losses: whether to leave what friction took in
+// Scratch::lost_x, lost_y.
+void update(const Parameters&, const Block&, BlockState&, Scratch&, StageName, double dt, bool sources, bool keep_losses, Tally&);
 
 }  // namespace couloir
