@@ -10,6 +10,7 @@
 #include <ctime>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include "continuum/noc/noc_solver.hpp"
 #include "continuum/scheme/effects.hpp"
@@ -42,13 +43,11 @@ std::unique_ptr<FlowModel> flow_of(const Scene& s) {
   const auto hills = [](double x, double y) {
     return 0.005 * (1 + std::sin(40 * x) * std::cos(2 * std::numbers::pi * y / (ny * cell)));
   };
-#ifdef COULOIR_WHOLE
   if (s.noc) {
     NocBed bed;
     if (s.relief) bed.obstacles.push_back(hills);
     return std::make_unique<NocSolver>(settings, surface, bed);
   }
-#endif
   StepBed bed;
   for (int j = 0; s.relief && j < s.rows; ++j) {
     for (int i = 0; i < nx; ++i) bed.elevation.push_back(hills(settings.grid.x(i), settings.grid.y(j)));
@@ -89,8 +88,8 @@ void rate(benchmark::State& state, const Scene& scene) {
   state.counters["checksum"] = checksum(*flow);
 }
 
-void add(const char* name, const Scene& scene) {
-  benchmark::RegisterBenchmark(name, [scene](benchmark::State& state) { rate(state, scene); })
+void add(const std::string& name, const Scene& scene) {
+  benchmark::RegisterBenchmark(name.c_str(), [scene](benchmark::State& state) { rate(state, scene); })
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond)
       ->MinTime(0.3);
@@ -101,21 +100,20 @@ void add(const char* name, const Scene& scene) {
 
 int main(int count, char** words) {
   using namespace couloir;
-  add("bare", {});
-  if constexpr (built::friction) add("arc", {.friction = true, .arc = true});
-#ifdef COULOIR_WHOLE
-  add("friction", {.friction = true});
-  add("earth_pressure", {.active_passive = true});
-  add("curvature", {.friction = true, .curvature = true, .arc = true});
-  add("relief", {.relief = true});
-  add("one_row", {.rows = 1});
-  add("noc/bare", {.noc = true});
-  add("noc/arc", {.friction = true, .arc = true, .noc = true});
-  add("noc/friction", {.friction = true, .noc = true});
-  add("noc/earth_pressure", {.active_passive = true, .noc = true});
-  add("noc/curvature", {.friction = true, .curvature = true, .arc = true, .noc = true});
-  add("noc/relief", {.relief = true, .noc = true});
-#endif
+  for (const bool noc : {false, true}) {
+    const auto add_to = [&](const std::string& name, Scene scene) {
+      scene.noc = noc;
+      add((noc ? "noc/" : "") + name, scene);
+    };
+    add_to("bare", {});
+    if (built::friction) add_to("arc", {.friction = true, .arc = true});
+    if (!built::all || !built::curvature) continue;
+    add_to("friction", {.friction = true});
+    add_to("earth_pressure", {.active_passive = true});
+    add_to("curvature", {.friction = true, .curvature = true, .arc = true});
+    add_to("relief", {.relief = true});
+    add_to("one_row", {.rows = 1});
+  }
   benchmark::Initialize(&count, words);
   if (benchmark::ReportUnrecognizedArguments(count, words)) return 2;
   benchmark::RunSpecifiedBenchmarks();

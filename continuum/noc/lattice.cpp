@@ -6,6 +6,7 @@
 #include "continuum/flow/flux.hpp"
 #include "continuum/flow/friction.hpp"
 #include "continuum/noc/slopes.hpp"
+#include "continuum/scheme/effects.hpp"
 
 namespace couloir::noc {
 namespace {
@@ -52,7 +53,7 @@ CellBox Lattice::clamp(const CellBox& b) const {
 
 double Lattice::find_state(const CellBox& box) {
   const double dry = s_.dry_depth;
-  const int r = row(), rows = box.j1 - box.j0;
+  const int rows = box.j1 - box.j0;
 #pragma omp parallel for num_threads(s_.threads) schedule(static)
   for (int j = box.j0 - 1; j <= box.j1; ++j) {
     for (int c = at(box.i0 - 1, j); c <= at(box.i1, j); ++c) {
@@ -61,7 +62,7 @@ double Lattice::find_state(const CellBox& box) {
       v_[c] = wet ? q.hv[c] / q.h[c] : 0.0;
     }
   }
-  const EarthPressure& k = s_.closure.earth_pressure;
+  const bool hydraulic = s_.closure.earth_pressure.is_hydraulic();  // K stays 1
   std::vector<double> rates(std::max(rows, 0), 0.0);
 #pragma omp parallel for num_threads(s_.threads) schedule(static)
   for (int j = box.j0; j < box.j1; ++j) {
@@ -69,25 +70,34 @@ double Lattice::find_state(const CellBox& box) {
     for (int i = box.i0; i < box.i1; ++i) {
       const int c = at(i, j);
       if (q.h[c] < dry) continue;
-      // Over two spacings; dry neighbours have no say.
-      const auto difference = [&](const std::vector<double>& w, int s) {
-        return (q.h[c + s] >= dry ? w[c + s] - w[c] : 0.0) + (q.h[c - s] >= dry ? w[c] - w[c - s] : 0.0);
-      };
-      // A difference that is round-off has no sign: a mass that slides as one would switch by the toss of a coin.
-      const double noise = round_off * (std::abs(u_[c]) + std::abs(v_[c]));
-      const auto above_noise = [&](double d) { return std::abs(d) > noise ? d : 0.0; };
-      const double du = above_noise(difference(u_, 1)), dv = above_noise(difference(v_, r));
-      // What hardly moves is as good as at rest, and what rests is active.
-      const double wave = weight_[i] * q.h[c], slowest = s_.creeping_froude * s_.creeping_froude * wave;
-      const bool slow = u_[c] * u_[c] + v_[c] * v_[c] < slowest;
-      kx_[c] = k.kx(slow ? 0.0 : du);
-      ky_[c] = k.ky(slow ? 0.0 : du, slow ? 0.0 : dv);
+      const double wave = weight_[i] * q.h[c];
+      if (built::earth_pressure && !hydraulic) find_earth_pressure(c, wave);
       rate = std::max({rate, (std::abs(u_[c]) + std::sqrt(kx_[c] * wave)) / s_.grid.dx,
                        (std::abs(v_[c]) + std::sqrt(ky_[c] * wave)) / s_.grid.dy});
     }
     rates[j - box.j0] = rate;
   }
   return rates.empty() ? 0.0 : *std::max_element(rates.begin(), rates.end());
+}
+
+// What K is at a wet point of wave speed sqrt(wave), by the velocities around it.
+void Lattice::find_earth_pressure(int c, double wave) {
+  const EarthPressure& k = s_.closure.earth_pressure;
+  const int r = row();
+  const double dry = s_.dry_depth;
+  // Over two spacings; dry neighbours have no say.
+  const auto difference = [&](const std::vector<double>& w, int s) {
+    return (q.h[c + s] >= dry ? w[c + s] - w[c] : 0.0) + (q.h[c - s] >= dry ? w[c] - w[c - s] : 0.0);
+  };
+  // A difference that is round-off has no sign: a mass that slides as one would switch by the toss of a coin.
+  const double noise = round_off * (std::abs(u_[c]) + std::abs(v_[c]));
+  const auto above_noise = [&](double d) { return std::abs(d) > noise ? d : 0.0; };
+  const double du = above_noise(difference(u_, 1)), dv = above_noise(difference(v_, r));
+  // What hardly moves is as good as at rest, and what rests is active.
+  const double slowest = s_.creeping_froude * s_.creeping_froude * wave;
+  const bool slow = u_[c] * u_[c] + v_[c] * v_[c] < slowest;
+  kx_[c] = k.kx(slow ? 0.0 : du);
+  ky_[c] = k.ky(slow ? 0.0 : du, slow ? 0.0 : dv);
 }
 
 void Lattice::prepare(const CellBox& box, double tau) {
@@ -123,7 +133,7 @@ void Lattice::prepare_row(int j, int i0, int i1, double tau) {
 }
 
 Gradient Lattice::bed_slope(int i, int j) const {
-  if (terrain_.level()) return {};
+  if (!built::relief || terrain_.level()) return {};
   const auto quarter_at = [&](int a, int b) { return terrain_.slope(inside(quarter(i) + a, 0), inside(quarter(j) + b, 2)); };
   const Gradient ll = quarter_at(0, 0), lh = quarter_at(0, 1), hl = quarter_at(1, 0), hh = quarter_at(1, 1);
   return {0.25 * ((ll.x + lh.x) + (hl.x + hh.x)), 0.25 * ((ll.y + lh.y) + (hl.y + hh.y))};
@@ -147,8 +157,11 @@ void Lattice::predict(Point& p, int i, int j, int c, double tau) const {
     const double fy_x = -u * v * x.h + v * x.hu + u * x.hv, gy_y = (gy * h - v * v) * y.h + 2 * v * y.hv;
     const double hu = p.q.hu - (ax * fx + ay * gx_y) + 0.5 * tau * h * pull_x;
     const double hv = p.q.hv - (ax * fy_x + ay * gy_y) + 0.5 * tau * h * pull_y;
-    const double capacity = coulomb_capacity(0.5 * tau, s_.closure.tan_delta, weight, kappa_[i], u, h);
-    const double left = coulomb_factor(length(hu, hv), capacity);
+    double left = 1;
+    if (built::friction && s_.closure.tan_delta > 0) {
+      const double capacity = coulomb_capacity(0.5 * tau, s_.closure.tan_delta, weight, built::curvature ? kappa_[i] : 0.0, u, h);
+      left = coulomb_factor(length(hu, hv), capacity);
+    }
     p.half.hu = left * hu, p.half.hv = left * hv;
     const double speed = length(p.half.hu, p.half.hv);
     if (p.half.h < s_.dry_depth) p.half.hu = p.half.hv = 0;

@@ -59,6 +59,7 @@ class Lattice {
   double ky(int c) const { return ky_[c]; }
 
  private:
+  void find_earth_pressure(int c, double wave);
   template <class S>
   void prepare_row(int j, int i0, int i1, double tau);
   void predict(Point&, int i, int j, int c, double tau) const;

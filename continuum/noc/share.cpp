@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "continuum/flow/friction.hpp"
+#include "continuum/scheme/effects.hpp"
 
 namespace couloir::noc {
 
@@ -19,10 +20,10 @@ double own_keep(const Point& p) {
 Push push(const Point& p, const Terrain& t, int k, int l, double cx, double cy, double tan_delta, double dry_depth, double tau) {
   Push out;
   const double h = quarter_depth(p, cx, cy), part = 0.25 * tau;
-  const Gradient bed = t.slope(k, l);
+  const Gradient bed = built::relief ? t.slope(k, l) : Gradient{};
   out.x = part * h * (t.drive(k) - t.weight(k) * bed.x);
   out.y = part * h * (-t.weight(k) * bed.y);
-  if (!(tan_delta > 0)) return out;
+  if (!built::friction || !(tan_delta > 0)) return out;
   double u = 0, v = 0, speed = 0;
   if (h >= dry_depth) {
     u = (p.half.hu + cx * p.x.hu + cy * p.y.hu) / h, v = (p.half.hv + cx * p.x.hv + cy * p.y.hv) / h;
@@ -32,7 +33,7 @@ Push push(const Point& p, const Terrain& t, int k, int l, double cx, double cy, 
       u *= fit, v *= fit, speed = p.reach;
     }
   }
-  out.brake = coulomb_capacity(part, tan_delta, t.weight(k), t.kappa(k), u, h);
+  out.brake = coulomb_capacity(part, tan_delta, t.weight(k), built::curvature ? t.kappa(k) : 0.0, u, h);
   if (speed > 0) {
     out.along_x = out.brake * (u / speed), out.along_y = out.brake * (v / speed);
   } else {
