@@ -132,6 +132,18 @@ NocSolver::Impl::Settled NocSolver::Impl::settle(const Gathered& got) const {
   return s;
 }
 
+// Of a corner on a side: what friction took from the part inside; the wall gets the rest. Where all is held, friction carries the
+// weight before the wall does: what stands still at a wall pushes it with its pressure alone.
+std::array<double, 2> NocSolver::Impl::friction_inside(const Settled& s, const Gathered& got, const Push& in, double portion) {
+  const double momentum = length(got.sum.hu, got.sum.hv);
+  if (!got.held && momentum > got.all.brake)
+    return {-(in.along_x + in.still * (got.sum.hu / momentum)), -(in.along_y + in.still * (got.sum.hv / momentum))};
+  const auto rest = [&](int k, double inside, double total) {
+    return portion * s.friction[k] - std::clamp(inside - portion * total, -in.brake, in.brake);
+  };
+  return {rest(0, in.x, got.all.x), rest(1, in.y, got.all.y)};
+}
+
 // Pairs across y first, then across x: mirrored scenes give mirrored bits.
 void NocSolver::Impl::Gathered::add_up() {
   const auto four = [](const auto& value) { return (value(0, 0) + value(0, 1)) + (value(1, 0) + value(1, 1)); };
@@ -175,22 +187,28 @@ void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
   corners.locked[c] = got.held;
 
   if (!counted(i, j)) return;
-  double in_hu = 0, in_hv = 0, in_x = 0, in_y = 0;
+  double in_hu = 0, in_hv = 0;
+  Push in;  // of those inside
   int inside = 0;
   for (int a : {0, 1}) {
     for (int b : {0, 1}) {
       if (!got.inside[a][b]) continue;
       ++inside;
-      in_hu += got.share[a][b].hu, in_hv += got.share[a][b].hv, in_x += got.push[a][b].x, in_y += got.push[a][b].y;
+      const Push& f = got.push[a][b];
+      in_hu += got.share[a][b].hu, in_hv += got.share[a][b].hv, in.x += f.x, in.y += f.y;
+      in.brake += f.brake, in.along_x += f.along_x, in.along_y += f.along_y, in.still += f.still;
     }
   }
   const double portion = 0.25 * inside;
-  const double taken_x = portion * (s.friction[0] + s.cutoff[0]), taken_y = portion * (s.friction[1] + s.cutoff[1]);
+  const auto friction = inside == 4 ? s.friction : friction_inside(s, got, in, portion);
   Budget& book = sums.budget;
-  book.gravity[0] += in_x, book.gravity[1] += in_y;
-  for (int k : {0, 1}) book.friction[k] += portion * s.friction[k], book.cutoff[k] += portion * s.cutoff[k];
+  book.gravity[0] += in.x, book.gravity[1] += in.y;
+  for (int k : {0, 1}) book.friction[k] += friction[k], book.cutoff[k] += portion * s.cutoff[k];
   // What a corner on a side got from inside went out; what it gives back comes in with the other half step.
-  if (on_side(i, j)) book_side(i, j, -(in_hu + in_x + taken_x), -(in_hv + in_y + taken_y), book);
+  if (on_side(i, j)) {
+    book_side(i, j, -(in_hu + in.x + friction[0] + portion * s.cutoff[0]), -(in_hv + in.y + friction[1] + portion * s.cutoff[1]),
+              book);
+  }
   sums.note(got.sum.h, s.hu, s.hv);
 }
 

@@ -55,8 +55,8 @@ double Lattice::find_state(const CellBox& box) {
   const double dry = s_.dry_depth;
   const int rows = box.j1 - box.j0;
 #pragma omp parallel for num_threads(s_.threads) schedule(static)
-  for (int j = box.j0 - 1; j <= box.j1; ++j) {
-    for (int c = at(box.i0 - 1, j); c <= at(box.i1, j); ++c) {
+  for (int j = box.j0 - ghosts; j < box.j1 + ghosts; ++j) {
+    for (int c = at(box.i0 - ghosts, j); c < at(box.i1 + ghosts, j); ++c) {
       const bool wet = q.h[c] >= dry;
       u_[c] = wet ? q.hu[c] / q.h[c] : 0.0;
       v_[c] = wet ? q.hv[c] / q.h[c] : 0.0;
@@ -122,10 +122,12 @@ void Lattice::prepare_row(int j, int i0, int i1, double tau) {
       p.x.h *= fit, p.y.h *= fit;
     }
     if (p.q.h >= s_.dry_depth) {
-      p.x.hu = 0.25 * S::slope(&q.hu[c], 1);
-      p.x.hv = 0.25 * S::slope(&q.hv[c], 1);
-      p.y.hu = 0.25 * S::slope(&q.hu[c], r);
-      p.y.hv = 0.25 * S::slope(&q.hv[c], r);
+      const auto slope = [&](const std::vector<double>& momentum, const std::vector<double>& velocity, int s, double rise) {
+        if (!s_.velocity_slopes) return 0.25 * S::slope(&momentum[c], s);
+        return p.q.h * (0.25 * S::slope(&velocity[c], s)) + velocity[c] * rise;
+      };
+      p.x.hu = slope(q.hu, u_, 1, p.x.h), p.x.hv = slope(q.hv, v_, 1, p.x.h);
+      p.y.hu = slope(q.hu, u_, r, p.y.h), p.y.hv = slope(q.hv, v_, r, p.y.h);
     }
     predict(p, i, j, c, tau);
     points[c] = p;

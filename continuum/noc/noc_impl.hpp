@@ -97,6 +97,7 @@ struct NocSolver::Impl {
   void update_centre(int i, int j, double tau, RowSums&);
   // Friction, film and speed bound on the momentum that the other terms would give.
   Settled settle(const Gathered&) const;
+  static std::array<double, 2> friction_inside(const Settled&, const Gathered&, const noc::Push& in, double portion);
   bool on_side(int i, int j) const;  // a corner on a side that is not periodic
   // What came in through a corner on a side; where two sides meet each gets what is normal to it.
   void book_side(int i, int j, double x, double y, Budget&) const;

@@ -30,15 +30,21 @@ class Arc : public SchemeTest<S> {
     s.closure = {EarthPressure::hydraulic(), c.mu, c.curvature};
     s.gravity = c.gravity;
     auto solver = S::make(s, ReferenceSurface::chute(c.angle, c.slope, c.arc, runout));
-    solver.set([&](double x, double) {
+    const auto exact = [&](double x, double) {
       const auto q = c.at(x);
       return FlowState{q.h, q.h * q.u, 0};
-    });
-    solver.advance_to(3 * total / c.inflow_u);
+    };
+    solver.set(exact);
+    const double end = 3 * total / c.inflow_u;
+    if (S::held == 0) solver.advance_to(end);
+    while (solver.time() < end) {
+      for (int i = 0; i < S::held; ++i) solver.set(i, 0, exact(s.grid.x(i), 0));
+      solver.step(solver.stable_dt());
+    }
     return solver;
   }
 };
-TYPED_TEST_SUITE(Arc, Schemes, SchemeNames);
+TYPED_TEST_SUITE(Arc, AllSchemes, SchemeNames);
 
 // references.md 2i: a steady layer down incline, arc and run-out, of finite thickness and thin.
 TYPED_TEST(Arc, SteadyLayer) {
@@ -60,11 +66,16 @@ TYPED_TEST(Arc, SteadyLayer) {
           const double x = s.grid().x(i);
           rows.push_back({x, s.at(i, 0).hu / s.at(i, 0).h, reference.at(x).u, without.at(x).u});
         }
-        record_profile("arc", "x,u,exact,without", rows);
+        record_profile(std::string("arc_") + TypeParam::name, "x,u,exact,without", rows);
       }
     }
-    depth.expect_order(TypeParam::order_smooth);
-    velocity.expect_order(TypeParam::order_smooth);
+    if (TypeParam::ripples) {
+      depth.expect_below(0.01 * h);
+      velocity.expect_below(0.001 * reference.inflow_u);
+    } else {
+      depth.expect_order(TypeParam::order_smooth);
+      velocity.expect_order(TypeParam::order_smooth);
+    }
   }
 }
 
@@ -75,9 +86,13 @@ TYPED_TEST(Arc, CurvatureAlone) {
     exact::SteadyChute c = chute(0.01, 5, true);
     c.gravity = 1e-9;
     const auto s = this->steady(n, c);
-    study.add(n, std::abs(s.at(n - 1, 0).hu / s.at(n - 1, 0).h / (5 * std::exp(-c.mu * degrees(40))) - 1));
+    study.add(n, std::abs(s.at(13 * n / 15, 0).hu / s.at(13 * n / 15, 0).h / (5 * std::exp(-c.mu * degrees(40))) - 1));
   }
-  study.expect_order(TypeParam::order_smooth);
+  if (TypeParam::ripples) {
+    study.expect_below(0.001);
+  } else {
+    study.expect_order(TypeParam::order_smooth);
+  }
 }
 
 }  // namespace

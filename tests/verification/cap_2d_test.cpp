@@ -98,7 +98,7 @@ TYPED_TEST(Cap2d, SpreadsNearlyAsHutterEtAl) {
     peak.add(n, std::abs(most / cap.peak(shape) - 1));
     centre.add(n, std::abs(middle - cap.centre(10)) / shape.a);
   }
-  for (Study* s : {&length, &width, &peak, &centre}) s->expect_below(0.01);
+  for (Study* s : {&length, &width, &peak, &centre}) s->expect_below(TypeParam::near_hutter);
 }
 
 }  // namespace

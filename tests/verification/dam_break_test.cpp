@@ -26,6 +26,7 @@ TYPED_TEST(DamBreak, Ritter) {  // references.md 2d without slope and friction
   momentum.expect_order(TypeParam::order_shock);
 }
 
+// The errors are means over the time in which the shock crosses one cell: where in a cell it stands makes a difference of half.
 TYPED_TEST(DamBreak, Stoker) {
   const exact::StokerDamBreak stoker(0.1, 0.02, 9.81);
   const double t = 0.5, behind = stoker.at(stoker.shock_speed() * t * 0.99, t).h;
@@ -35,11 +36,20 @@ TYPED_TEST(DamBreak, Stoker) {
   for (int n : {100, 200, 400, 800}) {
     auto s = TypeParam::make(row<TypeParam>(n, -1, 2, Side::Kind::outflow), ReferenceSurface::flat(2));
     s.set([](double x, double) { return FlowState{x < 0 ? 0.1 : 0.02, 0, 0}; });
-    s.advance_to(t);
-    const auto e = row_error(s, [&](double x) { return stoker.at(x, t); });
+    RowError e;
+    double off = 0;
+    constexpr int times = 8;
+    for (int k = 0; k < times; ++k) {
+      const double now = t + k * s.grid().dx / (times * stoker.shock_speed()), shock = stoker.shock_speed() * now;
+      s.advance_to(now);
+      const auto one =
+          row_error(s, [&](double x) { return cell_mean([&](double at) { return stoker.at(at, now); }, x, s.grid().dx); });
+      e.h += one.h / times, e.hu += one.hu / times;
+      off = std::max(off, std::abs(crossing(s, 0.5 * (0.02 + behind), n - 1, 0) - shock) / s.grid().dx);
+    }
     depth.add(n, e.h);
     momentum.add(n, e.hu);
-    place.add(n, std::abs(crossing(s, 0.5 * (0.02 + behind), n - 1, 0) - stoker.shock_speed() * t) / s.grid().dx);
+    place.add(n, off);
   }
   depth.expect_order(TypeParam::order_shock);
   momentum.expect_order(TypeParam::order_shock);
@@ -51,7 +61,7 @@ TYPED_TEST(DamBreak, OnAnInclineWithFriction) {
   const double zeta = degrees(30), mu = std::tan(degrees(22)), g = 9.81 * std::cos(zeta), m = g * (std::tan(zeta) - mu);
   const std::string name = "dam break on an incline, zeta 30, delta 22";
   Study depth("d", name, "h [m], L1"), momentum("d", name, "hu [m2/s], L1");
-  for (int n : {200, 400, 800, 1600}) {  // over twice the length: the same cells as above
+  for (int n : {400, 800, 1600, 3200}) {
     SolverSettings settings = row<TypeParam>(n, -2, 4, Side::Kind::outflow);
     settings.closure.tan_delta = mu;
     auto s = TypeParam::make(settings, ReferenceSurface::incline(zeta, 4));
@@ -64,7 +74,7 @@ TYPED_TEST(DamBreak, OnAnInclineWithFriction) {
     if (n == 400) {
       std::vector<std::vector<double>> rows;
       for (int i = 0; i < n; ++i) rows.push_back({s.grid().x(i), s.at(i, 0).h, exact(s.grid().x(i)).h});
-      record_profile("incline_dam_break", "x,h,exact", rows);
+      record_profile(std::string("incline_dam_break_") + TypeParam::name, "x,h,exact", rows);
     }
   }
   depth.expect_order(TypeParam::order_shock);

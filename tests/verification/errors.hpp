@@ -31,6 +31,20 @@ RowError row_error(const Solver& s, Exact&& exact) {
   return row_error(s, exact, [](double) { return true; });
 }
 
+// Mean of an exact state over the cell at x, by 32 points: what a cell holds where a shock stands in it.
+template <class Exact>
+auto cell_mean(Exact&& exact, double x, double dx) {
+  constexpr int points = 32;
+  auto mean = exact(x);
+  double h = 0, hu = 0;
+  for (int k = 0; k < points; ++k) {
+    const auto q = exact(x + dx * ((k + 0.5) / points - 0.5));
+    h += q.h / points, hu += q.h * q.u / points;
+  }
+  mean.h = h, mean.u = h > 0 ? hu / h : 0.0;
+  return mean;
+}
+
 // Where the depth along row 0 first crosses `level` when walked from cell `from` towards cell `to` [m]; NaN if it does not.
 template <class Solver>
 double crossing(const Solver& s, double level, int from, int to) {

@@ -12,9 +12,7 @@ class Relief : public SchemeTest<S> {
   static std::vector<double> hump(int n, Limiter limiter) {
     SolverSettings s = row<S>(n, 0, 1, Side::Kind::periodic);
     s.limiter = limiter;
-    StepBed bed;
-    for (int i = 0; i < n; ++i) bed.elevation.push_back(0.02 * std::cos(2 * pi * s.grid.x(i)));
-    auto solver = S::make(s, ReferenceSurface::flat(1), bed);
+    auto solver = S::make(s, ReferenceSurface::flat(1), [](double x, double) { return 0.02 * std::cos(2 * pi * x); });
     solver.set([](double x, double) {
       const double h = 0.2 + 0.02 * std::sin(2 * pi * x);
       return FlowState{h, 0.3 * h, 0};
@@ -41,9 +39,8 @@ TYPED_TEST_SUITE(Relief, Schemes, SchemeNames);
 // There is no closed solution: against the same run on a much finer grid.
 TYPED_TEST(Relief, IsOfSecondOrder) {
   const auto reference = this->hump(3200, Limiter::mc);
-  for (Limiter limiter : {Limiter::minmod, Limiter::van_leer, Limiter::mc}) {
-    const char* names[] = {"minmod", "van Leer", "MC"};
-    Study study("smooth", std::string("hump over a wavy bed, ") + names[static_cast<int>(limiter)], "h [m], L1 to 3200 cells");
+  for (Limiter limiter : TypeParam::limiters) {
+    Study study("smooth", "hump over a wavy bed, " + limiter_name(limiter), "h [m], L1 to 3200 cells");
     for (int n : {100, 200, 400}) study.add(n, this->error(this->hump(n, limiter), reference));
     study.expect_order(TypeParam::order_smooth);
   }

@@ -1,24 +1,77 @@
 #pragma once
 // The solvers that every exact case is run with: one struct each, listed in Schemes.
+// order_...: the least order asserted.
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "continuum/noc/noc_solver.hpp"
 #include "continuum/solver.hpp"
 #include "tests/continuum/scenes.hpp"
 
 namespace couloir::test {
 
+using Height = std::function<double(double x, double y)>;  // of the bed above the reference surface [m]
+
 struct CentralUpwind {
   static constexpr const char* name = "central_upwind";
   static constexpr Limiter plain = Limiter::minmod;     // what runs use by default
   static constexpr Limiter smooth = Limiter::van_leer;  // for beds with relief, docs/decisions/0007
-  static constexpr double order_smooth = 1.8, order_shock = 0.9;
-  static Solver make(const SolverSettings& s, const ReferenceSurface& surface, const StepBed& bed = {}) {
+  static constexpr Limiter limiters[] = {Limiter::minmod, Limiter::van_leer, Limiter::mc};
+  static constexpr double order_smooth = 1.8, order_shock = 0.9, order_held_shock = 0.9, order_crest = 1.8;
+  static constexpr double near_hutter = 0.01, oblique_angle = 0.05;
+  static constexpr bool has_steps = true, keeps_lakes = true, ripples = false, switches_k = false;
+  static constexpr int held = 0;
+  static Solver make(const SolverSettings& s, const ReferenceSurface& surface, const Height& ground = {},
+                     const std::vector<StepObstacle>& steps = {}) {
+    StepBed bed;
+    bed.obstacles = steps;
+    for (int j = 0; ground && j < s.grid.ny; ++j) {
+      for (int i = 0; i < s.grid.nx; ++i) bed.elevation.push_back(ground(s.grid.x(i), s.grid.y(j)));
+    }
     return Solver(s, surface, bed);
   }
 };
 
-using Schemes = ::testing::Types<CentralUpwind>;
+// As in the dissertation: slopes of h, hu, hv. What it does not reach as the other does, and why:
+//
+//   order_crest       inside a cap; ripples: down a chute. Where h rises and hu does not, or the crests of both lie apart, their
+//                     limited slopes do not fit together: ripples of first order in flow faster than its waves
+//   order_held_shock  friction holds the ripple of about 1e-5 m that a shock leaves, whatever the cell
+//   near_hutter, oblique_angle   fronts and standing shocks take twice the cells: at the coarsest grid they are that far off
+//   held              an inflow side, and the last cells before an outflow, are of first order: where the order inside is
+//   measured, so many cells hold the exact state switches_k        by (2.85), (2.86), between active and passive at once: a cap
+//   with that switch does not converge
+//                     (tests/noc/order_test.cpp), so K is given here
+struct Noc {
+  static constexpr const char* name = "noc";
+  static constexpr Limiter plain = Limiter::minmod, smooth = Limiter::van_leer;
+  static constexpr Limiter limiters[] = {Limiter::minmod, Limiter::van_leer, Limiter::mc, Limiter::eno};
+  static constexpr double order_smooth = 1.8, order_shock = 0.9, order_held_shock = 0.8, order_crest = 0.85;
+  static constexpr double near_hutter = 0.015, oblique_angle = 0.2;
+  static constexpr bool has_steps = false, keeps_lakes = false, ripples = true, switches_k = true;
+  static constexpr int held = 3;
+  static NocSolver make(const SolverSettings& s, const ReferenceSurface& surface, const Height& ground = {}) {
+    return NocSolver(s, surface, {ground, {}});
+  }
+};
+
+// Slopes of h, u, v: without those ripples. For the cases that show them.
+struct NocVelocity : Noc {
+  static constexpr const char* name = "noc_velocity_slopes";
+  static constexpr double order_crest = 1.8;
+  static constexpr bool ripples = false;
+  static NocSolver make(SolverSettings s, const ReferenceSurface& surface, const Height& ground = {}) {
+    s.velocity_slopes = true;
+    return Noc::make(s, surface, ground);
+  }
+};
+
+using Schemes = ::testing::Types<CentralUpwind, Noc>;
+using AllSchemes = ::testing::Types<CentralUpwind, Noc, NocVelocity>;
 
 struct SchemeNames {
   template <class S>
@@ -26,6 +79,11 @@ struct SchemeNames {
     return S::name;
   }
 };
+
+inline std::string limiter_name(Limiter limiter) {
+  const char* names[] = {"minmod", "van Leer", "MC", "superbee", "ENO"};
+  return names[static_cast<int>(limiter)];
+}
 
 // A case's fixture: TYPED_TEST_SUITE(Case, Schemes, SchemeNames).
 template <class S>

@@ -14,13 +14,12 @@ TYPED_TEST_SUITE(SimpleWave, Schemes, SchemeNames);
 // Smooth throughout: a wave steepens to half of its way to breaking, on a flat bed and while it slides down with friction.
 TYPED_TEST(SimpleWave, IsOfSecondOrder) {
   for (bool slope : {false, true}) {
-    for (Limiter limiter : {Limiter::minmod, Limiter::van_leer, Limiter::mc}) {
+    for (Limiter limiter : TypeParam::limiters) {
       const double zeta = slope ? degrees(32) : 0, mu = slope ? std::tan(degrees(25)) : 0, weight = 9.81 * std::cos(zeta);
       const exact::SimpleWave wave{0.1, 0.4, 0.05, 2 * pi, weight, weight * (std::tan(zeta) - mu)};
       const double t = 0.5 * wave.breaks();
-      const char* names[] = {"minmod", "van Leer", "MC"};
       const std::string name =
-          std::string("simple wave, ") + (slope ? "incline with friction, " : "flat, ") + names[static_cast<int>(limiter)];
+          std::string("simple wave, ") + (slope ? "incline with friction, " : "flat, ") + limiter_name(limiter);
       Study depth("smooth", name, "h [m], L1"), momentum("smooth", name, "hu [m2/s], L1");
       for (int n : {100, 200, 400, 800}) {
         SolverSettings settings = row<TypeParam>(n, 0, 1, Side::Kind::periodic);
