@@ -2,6 +2,8 @@
 // the centres change.
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "continuum/noc/noc_impl.hpp"
 
@@ -13,7 +15,7 @@ double NocSolver::Impl::gain(int i, int j, int a, int b) const {
 }
 
 // A corner on the side has cells on one hand only: what they get from it and did not give to it came in. Where an inflow meets
-// an outflow it is the inflow's.
+// an outflow it is the inflow's. Periodic twins have the cells of either end.
 void NocSolver::Impl::count_sides(const CellBox& box) {
   const Grid& g = settings.grid;
   double through = 0, through_inflow = 0;
@@ -38,7 +40,7 @@ void NocSolver::Impl::count_sides(const CellBox& box) {
   for (int j = box.j0; j < box.j1; ++j) {
     const bool whole_row = j == 0 || j == g.ny;
     for (int i = box.i0; i < box.i1; ++i) {
-      if ((whole_row || i == 0 || i == g.nx) && on_open_side(i, j) && counted(i, j)) count(i, j);
+      if ((whole_row || i == 0 || i == g.nx) && on_open_side(i, j)) count(i, j);
     }
   }
   budget.mass_boundary += g.dx * g.dy * through;
@@ -68,13 +70,18 @@ void NocSolver::Impl::count_obstacles(const Lattice& givers, const CellBox& rece
   const double part = 0.25 * tau * settings.grid.dx * settings.grid.dy;
   const int shift = &givers == &corners ? 1 : 0;  // quarter k belongs to centre k / 2 or corner (k + 1) / 2
   for (int id = 0; id < terrain.obstacles(); ++id) {
-    double x = 0, y = 0;
+    std::vector<std::array<double, 2>> rows(terrain.quarters_y());
     for (const auto& q : terrain.obstacle(id)) {
       const int i = (q.k + shift) / 2, j = (q.l + shift) / 2;
       if (!receivers.contains((q.k + 1 - shift) / 2, (q.l + 1 - shift) / 2)) continue;
       const double cx = givers.quarter(i) == q.k ? -1 : 1, cy = givers.quarter(j) == q.l ? -1 : 1;
       const double weight = terrain.weight(q.k) * noc::quarter_depth(givers.points[givers.at(i, j)], cx, cy);
-      x += weight * q.slope.x, y += weight * q.slope.y;
+      rows[q.l][0] += weight * q.slope.x, rows[q.l][1] += weight * q.slope.y;
+    }
+    // Mirrored rows in pairs: the force across a symmetric body is 0.
+    double x = 0, y = 0;
+    for (std::size_t low = 0, high = rows.size() - 1; low < high; ++low, --high) {
+      x += rows[low][0] + rows[high][0], y += rows[low][1] + rows[high][1];
     }
     x *= part, y *= part;
     impulse[id][0] += x, impulse[id][1] += y;

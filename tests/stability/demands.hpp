@@ -9,7 +9,7 @@
 //            from a compressed flow as the potential gains, and gives a stretched one at most as much: in the equations E never
 //            grows. Three things feed it: the weight's change along an arc and the ramp of K (decision 0004), both counted off;
 //            and the cells: the place of material within a cell is not resolved. So growth is given in units of the weight of
-//            all material times the greatest drop over one cell (plus 1e-6 of the start's energy).
+//            all material times the greatest drop over one cell (plus 1e-6 of the start's energy, 1e-4 with scheme noc).
 //   speed    |u| over |u0| + 4 sqrt(K g h) of the deepest flow so far + 2 sqrt(2 g dz) + g sin(zeta) (t + 2 dt)
 
 #include "case.hpp"
@@ -28,14 +28,18 @@ struct Worst {
 // granular material has it, and no energy is demanded there.
 constexpr double stiffest = 20;
 
+struct Bounds {
+  double energy = 2, speed = 1;
+};
+
 class Demands {
  public:
-  Demands(const Case&, FlowModel&);
-  void step(double dt);  // steps the solver, then looks
-  void run(int steps);   // that many stable steps
+  Demands(const Case&, const Subject&, FlowModel&);  // the subject that made the solver
+  void step(double dt);                              // steps the solver, then looks
+  void run(int steps);                               // that many stable steps
   const Worst& worst() const { return worst_; }
   // Expects all of the above and adds the figures to those of this test case.
-  void expect(const std::string& what);
+  void expect(const std::string& what, const Bounds& = {});
 
  private:
   void look(double dt);
@@ -43,6 +47,7 @@ class Demands {
   double supply() const;
 
   const Case& case_;
+  const Subject& subject_;
   FlowModel& solver_;
   bool has_energy_;
   double k0_, k_most_;

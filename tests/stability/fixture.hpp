@@ -15,7 +15,7 @@ class Stability : public testing::TestWithParam<Subject> {
   // Runs that many steps, expects all demands, and gives the end.
   std::unique_ptr<FlowModel> run(const Case& c, int steps, const std::string& what = "") const {
     auto solver = c.build(GetParam());
-    Demands demands(c, *solver);
+    Demands demands(c, GetParam(), *solver);
     demands.run(steps);
     demands.expect(what);
     return solver;

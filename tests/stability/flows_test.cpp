@@ -46,7 +46,7 @@ TEST_P(Flows, TwoFlowsApartLeaveAVacuum) {
       c.fill([&](double x, double) { return FlowState{0.1, x < 1 ? -0.1 * u : 0.1 * u, 0}; });
       const auto flow = c.build(GetParam());
       FlowModel& solver = *flow;
-      Demands demands(c, solver);
+      Demands demands(c, GetParam(), solver);
       while (solver.time() < 0.2 / u) demands.step(std::min(solver.stable_dt(), 0.2 / u - solver.time() + 1e-12));
       demands.expect("Fr " + std::to_string(froude));
       return std::abs(solver.at(n / 2, 0).h / 0.1 - exact);
@@ -66,7 +66,7 @@ TEST_P(Flows, HeadOnCollision) {
     c.fill([&](double x, double) { return FlowState{h, x < 1 ? h * u : -h * u, 0}; });
     const auto flow = c.build(GetParam());
     FlowModel& solver = *flow;
-    Demands demands(c, solver);
+    Demands demands(c, GetParam(), solver);
     // u^2 = g (h2 - h)^2 (h2 + h) / (2 h h2): the exact depth behind both shocks, by bisection.
     double low = h, high = 1000 * h;
     for (int k = 0; k < 100; ++k) {

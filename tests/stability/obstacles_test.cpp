@@ -45,7 +45,7 @@ TEST_P(Obstacles, StepsAHundredTimesTheDepth) {
     c.bed.obstacles.push_back({"tower", 0.7, 0.8, -0.1, 0.06, 0.08 * times});
     const auto flow = run(c, 400, std::to_string(times) + " times");
     FlowModel& solver = *flow;
-    if (times > 1) {
+    if (times > 1 && GetParam().has_steps) {
       for (int i = 35; i < 40; ++i) EXPECT_EQ(solver.at(i, 8).h, 0) << "nothing flows up a tower";
     }
   }

@@ -88,7 +88,7 @@ TYPED_TEST(Arc, CurvatureAlone) {
     const auto s = this->steady(n, c);
     study.add(n, std::abs(s.at(13 * n / 15, 0).hu / s.at(13 * n / 15, 0).h / (5 * std::exp(-c.mu * degrees(40))) - 1));
   }
-  if (TypeParam::ripples) {
+  if (TypeParam::bounds_speed) {
     study.expect_below(0.001);
   } else {
     study.expect_order(TypeParam::order_smooth);

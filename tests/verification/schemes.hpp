@@ -23,7 +23,7 @@ struct CentralUpwind {
   static constexpr Limiter limiters[] = {Limiter::minmod, Limiter::van_leer, Limiter::mc};
   static constexpr double order_smooth = 1.8, order_shock = 0.9, order_held_shock = 0.9, order_crest = 1.8;
   static constexpr double near_hutter = 0.01, oblique_angle = 0.05;
-  static constexpr bool has_steps = true, keeps_lakes = true, ripples = false, switches_k = false;
+  static constexpr bool has_steps = true, keeps_lakes = true, ripples = false, bounds_speed = false, switches_k = false;
   static constexpr int held = 0;
   static Solver make(const SolverSettings& s, const ReferenceSurface& surface, const Height& ground = {},
                      const std::vector<StepObstacle>& steps = {}) {
@@ -38,21 +38,22 @@ struct CentralUpwind {
 
 // As in the dissertation: slopes of h, hu, hv. What it does not reach as the other does, and why:
 //
-//   order_crest       inside a cap; ripples: down a chute. Where h rises and hu does not, or the crests of both lie apart, their
-//                     limited slopes do not fit together: ripples of first order in flow faster than its waves
-//   order_held_shock  friction holds the ripple of about 1e-5 m that a shock leaves, whatever the cell
-//   near_hutter, oblique_angle   fronts and standing shocks take twice the cells: at the coarsest grid they are that far off
-//   held              an inflow side, and the last cells before an outflow, are of first order: where the order inside is
-//   measured, so many cells hold the exact state switches_k        by (2.85), (2.86), between active and passive at once: a cap
-//   with that switch does not converge
-//                     (tests/noc/order_test.cpp), so K is given here
+//   ripples, order_crest   Where h rises and hu does not, or the crests of both lie apart, their limited slopes do not fit
+//                          together: ripples of first order in flow faster than its waves, inside a cap and down a chute.
+//   order_held_shock       Friction holds the ripple of about 1e-5 m that a shock leaves, whatever the cell.
+//   near_hutter, oblique_angle   Fronts and standing shocks take twice the cells: off by that much at the coarsest grid.
+//   held                   An inflow side, and the last cells before an outflow, are of first order. Where the order inside is
+//                          measured, so many cells hold the exact state.
+//   bounds_speed           By |u| + 2c; without weight it acts in every cell that slows down, at first order.
+//   switches_k             By (2.85), (2.86), between active and passive at once: a cap with that switch does not converge
+//                          (tests/noc/order_test.cpp), so K is given here.
 struct Noc {
   static constexpr const char* name = "noc";
   static constexpr Limiter plain = Limiter::minmod, smooth = Limiter::van_leer;
   static constexpr Limiter limiters[] = {Limiter::minmod, Limiter::van_leer, Limiter::mc, Limiter::eno};
   static constexpr double order_smooth = 1.8, order_shock = 0.9, order_held_shock = 0.8, order_crest = 0.85;
   static constexpr double near_hutter = 0.015, oblique_angle = 0.2;
-  static constexpr bool has_steps = false, keeps_lakes = false, ripples = true, switches_k = true;
+  static constexpr bool has_steps = false, keeps_lakes = false, ripples = true, bounds_speed = true, switches_k = true;
   static constexpr int held = 3;
   static NocSolver make(const SolverSettings& s, const ReferenceSurface& surface, const Height& ground = {}) {
     return NocSolver(s, surface, {ground, {}});
