@@ -156,6 +156,20 @@ TEST(NocConservation, SidesSumToTheBoundaryAndAWallHoldsALayer) {
   EXPECT_NEAR(layer.budget().sides[3][1], -push * 1.0, 1e-12);
 }
 
+// Friction carries the weight of what stands still, the wall its pressure.
+TEST(NocConservation, AWallBelowHoldsNoWeightThatFrictionHolds) {
+  SolverSettings s = basin(20, 10, 0.05);
+  s.closure.tan_delta = std::tan(degrees(31));
+  NocSolver layer(s, ReferenceSurface::incline(degrees(30), 1), {});
+  layer.set([](double, double) { return FlowState{0.1, 0, 0}; });
+  layer.advance_to(0.3);
+  const double push = 0.5 * 9.81 * std::cos(degrees(30)) * 0.1 * 0.1 * 0.3;
+  EXPECT_NEAR(layer.budget().sides[0][0], push * 0.5, 1e-12);
+  EXPECT_NEAR(layer.budget().sides[1][0], -push * 0.5, 1e-12);
+  EXPECT_NEAR(layer.budget().sides[2][1], push, 1e-12);
+  EXPECT_NEAR(layer.budget().friction[0], -9.81 * std::sin(degrees(30)) * layer.volume() * 0.3, 1e-12);
+}
+
 TEST(NocConservation, GaugesCountWhatCrosses) {
   NocSolver s = heap_on_bump(1);
   const int low = s.add_gauge(25, 0, 40), edge = s.add_gauge(32, 0, 40), out = s.add_gauge(60, 0, 40);
