@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "continuum/scheme/effects.hpp"
+
 namespace couloir {
 namespace {
 
