@@ -104,8 +104,12 @@ void Ghosts::extend(Mesh& mesh) const {
     for (const Copy& c : plans_[k].copies) take(c);
     for (const Mirror& m : plans_[k].mirrors) take(m.copy);
     for (const Fixed& f : plans_[k].fixed) take(f.copy);
-    b.relief = std::any_of(b.bed.begin(), b.bed.end(), [](double z) { return z != 0; });
   }
+  // All blocks or none: two that share a face must reconstruct its depths alike.
+  const bool relief = std::any_of(mesh.blocks().begin(), mesh.blocks().end(), [](const Block& b) {
+    return std::any_of(b.bed.begin(), b.bed.end(), [](double z) { return z != 0; });
+  });
+  for (Block& b : mesh.blocks()) b.relief = relief;
 }
 
 void Ghosts::set_time(double time, Moment moment) {

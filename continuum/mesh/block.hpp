@@ -23,7 +23,7 @@ struct Block {
   std::vector<double> top;    // height of the step obstacle that fills the cell [m], else 0
   std::vector<int> obstacle;  // its number, else -1
   std::vector<int> pushed;    // interior: obstacle whose elevation this cell or a neighbour has, so that it pushes here; else -1
-  bool relief = false;        // some bed != 0
+  bool relief = false;        // some bed of the mesh != 0
 
   // By column, index i + ghosts.
   std::vector<double> weight;       // g cos(zeta) at cell centres [m/s2]

@@ -8,6 +8,7 @@
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/release.hpp"
+#include "coupling/scene/scene_error.hpp"
 
 namespace couloir {
 
@@ -31,6 +32,10 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
   model_->set([&](double x, double y) { return release_at(scene, x, y); });
   // The cells' sampling of the release is off by its edge; the depth is scaled so that the mass is exact.
   const double wanted = release_volume(scene), sampled = model_->volume();
+  if (wanted > 0 && !(sampled > 0)) {
+    throw SceneError(scene.places.of("release") +
+                     ": the release lies between the centres of the cells, so that the mesh does not see it; use smaller cells");
+  }
   if (wanted > 0 && sampled > 0 && scene.release.kind != ReleaseSpec::Kind::uniform) {
     const double scale = wanted / sampled;
     model_->set([&](double x, double y) {

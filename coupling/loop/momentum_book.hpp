@@ -1,5 +1,5 @@
 #pragma once
-// The largest momentum met so far, by which a window's residual is judged.
+// The largest momentum, or exchange of it in a window, met so far: by it a window's residual is judged, at rest as well.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,9 @@ class MomentumBook {
  public:
   // present: the run's momentum now [N s]; at_least: a floor for runs at rest. Fills in residual and scale.
   void close(MomentumLedger& m, double present) {
-    largest_ = std::max(largest_, std::abs(present));
+    const double exchanged =
+        std::abs(m.gravity) + std::abs(m.bed) + std::abs(m.obstacles) + std::abs(m.boundary) + std::abs(m.faces);
+    largest_ = std::max({largest_, std::abs(present), exchanged});
     m.residual = m.storage - m.gravity - m.bed - m.obstacles - m.boundary - m.faces;
     m.scale = largest_;
   }

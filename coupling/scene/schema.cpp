@@ -18,6 +18,7 @@ using enum Dimension;
 using namespace schema_builder;
 
 constexpr double deg = std::numbers::pi / 180;
+constexpr double steepest = 89 * deg * (1 + 1e-9);  // 89 deg as typed is within it, whatever its last bit
 
 // `s.member` for a const and for a mutable Scene alike.
 #define COULOIR_AT(member)                       \
@@ -40,7 +41,7 @@ void add_terrain(Keys& k) {
             .required());
   k.add(choice("terrain.kind", "its shape", {"flat", "incline", "chute"}, COULOIR_AT(terrain.kind)).required());
   k.add(number("terrain.angle", angle, "inclination of the incline", COULOIR_AT(terrain.angle))
-            .within(0, 89 * deg)
+            .within(0, steepest)
             .required()
             .when("kind", {"incline", "chute"}));
   k.add(number("terrain.length", length, "along the surface", COULOIR_AT(terrain.length))
@@ -89,8 +90,8 @@ void add_material(Keys& k) {
   k.add(mapping("material", "a name in dem_inputs/materials, or the same keys inline").required());
   k.add(text("material.name", "for reports", COULOIR_AT(material.name)));
   k.add(number("material.density", density, "bulk density of the flow", COULOIR_AT(material.density)).above(0).required());
-  k.add(number("material.internal_friction_angle", angle, "phi", COULOIR_AT(material.phi)).within(0, 89 * deg).required());
-  k.add(number("material.basal_friction_angle", angle, "delta", COULOIR_AT(material.delta)).within(0, 89 * deg).required());
+  k.add(number("material.internal_friction_angle", angle, "phi", COULOIR_AT(material.phi)).within(0, steepest).required());
+  k.add(number("material.basal_friction_angle", angle, "delta", COULOIR_AT(material.delta)).within(0, steepest).required());
   k.add(number("material.diameter", length, "mean grain diameter of the real material", COULOIR_AT(material.diameter))
             .above(0)
             .optional());

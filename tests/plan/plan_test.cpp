@@ -91,6 +91,10 @@ TEST(Plan, WarnsOfWhatDoesNotMatch) {
               Contains("The zone reaches only 10 grain diameters upstream of wall; the pile will reach its face."));
   EXPECT_THAT(plan.warnings, Not(Contains(HasSubstr("above 0.4"))));
   EXPECT_THAT(make_plan(experiment("null_zone")).warnings, testing::IsEmpty());
+  const char* side = "boundaries.upstream";
+  EXPECT_THAT(make_plan(experiment("null_zone", {{side, "{inflow: {depth: 40 mm, velocity: 0.3 m/s}}"}})).warnings,
+              Contains(HasSubstr("slower than its waves (Froude 0.50)")));
+  EXPECT_THAT(make_plan(experiment("silo_wedge", {{"continuum.scheme", "noc"}})).warnings, Contains(HasSubstr("noc lets more in")));
 }
 
 TEST(Plan, WarnsOfAnObstacleThatTheFlowDoesNotReach) {
