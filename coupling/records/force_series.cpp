@@ -20,10 +20,23 @@ double ForceSeries::impulse_at(double time) const {
   return impulse_[k] - force_[k] * std::min(end_[k] - time, end_[k] - begin_[k]);
 }
 
+// Of the windows that some component touched, the first that is not a trace before the front.
+double ForceSeries::contact(double largest) const {
+  for (std::size_t k = 0; contact_ >= 0 && largest > 0 && k < end_.size(); ++k) {
+    if (begin_[k] >= contact_ && std::abs(force_[k]) >= kContactShare * largest) return begin_[k];
+  }
+  return contact_;
+}
+
 ForceFigures ForceSeries::figures() const {
   ForceFigures out;
   if (end_.empty()) return out;
-  const double last = end_.back(), span = contact_ >= 0 ? std::min(kPeakSpan, last - contact_) : kPeakSpan;
+  for (double f : force_) {
+    if (std::abs(f) > std::abs(out.peak_window)) out.peak_window = f;
+  }
+  out.first_contact = contact(std::abs(out.peak_window));
+  const double begun = out.first_contact, last = end_.back();
+  const double span = begun >= 0 ? std::min(kPeakSpan, last - begun) : kPeakSpan;
   const auto look = [&](double t) {
     const double mean = (impulse_at(t) - impulse_at(t - span)) / span;
     if (std::abs(mean) > std::abs(out.peak)) out.peak = mean, out.peak_time = t;
@@ -31,11 +44,10 @@ ForceFigures ForceSeries::figures() const {
   for (std::size_t k = 0; k < end_.size(); ++k) {
     look(end_[k]);
     if (end_[k] + span < last) look(end_[k] + span);
-    if (std::abs(force_[k]) > std::abs(out.peak_window)) out.peak_window = force_[k];
   }
   out.impulse = impulse_.back();
-  out.first_contact = contact_;
-  if (contact_ >= 0 && last > contact_) out.mean = (out.impulse - impulse_at(contact_)) / (last - contact_);
+  out.mean_of_run = out.impulse / (last - begin_.front());
+  if (begun >= 0 && last > begun) out.mean = (out.impulse - impulse_at(begun)) / (last - begun);
   const double tail = std::min(kFinalSpan, last - begin_.front());
   if (tail > 0) out.final = (out.impulse - impulse_at(last - tail)) / tail;
   return out;

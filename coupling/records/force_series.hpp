@@ -11,15 +11,18 @@ struct ForceFigures {
   double peak_time = 0;       // [s] end of those 15 ms
   double peak_window = 0;     // [N] the single window's mean that is largest in magnitude: noisier, falls with longer windows
   double mean = 0;            // [N] from the first contact to the end
+  double mean_of_run = 0;     // [N] from the start to the end
   double final = 0;           // [N] mean of the last 50 ms (of the whole run where that is shorter)
   double impulse = 0;         // [N s] integral of f over the run
-  double first_contact = -1;  // [s] start of the first window with a force; -1: never
+  double first_contact = -1;  // [s] start of the first window with a thousandth of the largest window's force;
+                              // -1: never
 };
 
 class ForceSeries {
  public:
   static constexpr double kPeakSpan = 0.015;   // [s]
   static constexpr double kFinalSpan = 0.050;  // [s]
+  static constexpr double kContactShare = 1e-3;
 
   // `time` at the window's end and `length` [s], `force` its mean [N]; `contact`: any component of the force is not zero.
   void add(double time, double length, double force, bool contact);
@@ -28,6 +31,7 @@ class ForceSeries {
   ForceFigures figures() const;
 
  private:
+  double contact(double largest) const;                // [s]
   double impulse_at(double time) const;                // [N s]
   std::vector<double> end_, begin_, force_, impulse_;  // impulse_: at end_
   double contact_ = -1;

@@ -204,7 +204,7 @@ void Summary::on_finish(const RunEnd& end) {
   for (const Measure& m : measures_) {
     const ForceFigures f = m.series.figures();
     Json figures{{"maximum", f.peak_window}, {"peak", f.peak},   {"peak_time", f.peak_time},
-                 {"mean", f.mean},           {"final", f.final}, {"impulse", f.impulse}};
+                 {"mean", f.mean_of_run},    {"final", f.final}, {"impulse", f.impulse}};
     if (m.what.kind == "wall") {
       out["walls"][m.what.of] = figures;
     } else {

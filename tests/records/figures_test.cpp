@@ -51,6 +51,13 @@ TEST(ForceSeries, PeakDoesNotHangOnTheWindows) {
   EXPECT_NEAR(coarse.figures().final, fine.figures().final, 1e-12);
 }
 
+TEST(ForceSeries, ATraceBeforeTheFrontIsNoContact) {
+  ForceSeries series;
+  for (int k = 1; k <= 100; ++k) series.add(k * 1e-3, 1e-3, k > 40 ? 8 : k > 10 ? 1e-6 : 0, k > 10);
+  EXPECT_NEAR(series.figures().first_contact, 0.04, 1e-12);
+  EXPECT_NEAR(series.figures().mean, 8, 1e-12);
+}
+
 TEST(ForceSeries, WithoutContactIsAllZeros) {
   ForceSeries series;
   EXPECT_EQ(series.figures().peak, 0);
