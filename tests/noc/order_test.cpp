@@ -3,6 +3,7 @@
 #include "continuum/exact/parabolic_cap.hpp"
 #include "continuum/exact/sliding_slab.hpp"
 #include "noc_scenes.hpp"
+#include "tests/verification/errors.hpp"
 
 namespace couloir::test {
 namespace {
@@ -26,17 +27,6 @@ std::vector<double> hump(int n, Limiter limiter, bool relief, bool along_x = tru
   return h;
 }
 
-double error(const std::vector<double>& coarse, const std::vector<double>& fine) {
-  const std::size_t ratio = fine.size() / coarse.size();
-  double sum = 0;
-  for (std::size_t i = 0; i < coarse.size(); ++i) {
-    double mean = 0;
-    for (std::size_t k = 0; k < ratio; ++k) mean += fine[i * ratio + k];
-    sum += std::abs(coarse[i] - mean / static_cast<double>(ratio));
-  }
-  return sum / static_cast<double>(coarse.size());
-}
-
 const char* name(Limiter l) {
   const char* names[] = {"minmod", "van_leer", "mc", "superbee", "eno"};
   return names[static_cast<int>(l)];
@@ -46,8 +36,9 @@ TEST(NocOrder, SmoothHump) {
   for (bool relief : {false, true}) {
     const auto reference = hump(3200, Limiter::eno, relief);
     for (Limiter limiter : {Limiter::minmod, Limiter::van_leer, Limiter::mc, Limiter::superbee, Limiter::eno}) {
-      const double e100 = error(hump(100, limiter, relief), reference), e200 = error(hump(200, limiter, relief), reference);
-      const double e400 = error(hump(400, limiter, relief), reference);
+      const double e100 = error_to_finer(hump(100, limiter, relief), reference),
+                   e200 = error_to_finer(hump(200, limiter, relief), reference);
+      const double e400 = error_to_finer(hump(400, limiter, relief), reference);
       std::printf("noc smooth, %s, relief %d: L1 %.3e %.3e %.3e, orders %.2f %.2f\n", name(limiter), relief, e100, e200, e400,
                   order(e100, e200), order(e200, e400));
       EXPECT_GT(order(e100, e400, 4), 1.8) << name(limiter);

@@ -4,6 +4,7 @@
 
 #include "continuum/exact/normal_shock.hpp"
 #include "convergence.hpp"
+#include "errors.hpp"
 
 namespace couloir::test {
 namespace {
@@ -60,21 +61,10 @@ std::vector<double> hump(int n, Limiter limiter) {
   return h;
 }
 
-double error(const std::vector<double>& coarse, const std::vector<double>& fine) {
-  const std::size_t ratio = fine.size() / coarse.size();
-  double sum = 0;
-  for (std::size_t i = 0; i < coarse.size(); ++i) {
-    double mean = 0;
-    for (std::size_t k = 0; k < ratio; ++k) mean += fine[i * ratio + k];
-    sum += std::abs(coarse[i] - mean / static_cast<double>(ratio));
-  }
-  return sum / static_cast<double>(coarse.size());
-}
-
 TEST(ElevationOrder, SecondOrderOverReliefForAnyK) {
   const auto reference = hump(3200, Limiter::mc);
   for (Limiter limiter : {Limiter::minmod, Limiter::van_leer, Limiter::mc}) {
-    const double e100 = error(hump(100, limiter), reference), e400 = error(hump(400, limiter), reference);
+    const double e100 = error_to_finer(hump(100, limiter), reference), e400 = error_to_finer(hump(400, limiter), reference);
     std::printf("K = 2 over relief, limiter %d: L1 %.3e %.3e, order %.2f\n", static_cast<int>(limiter), e100, e400,
                 order(e100, e400, 4));
     EXPECT_GT(order(e100, e400, 4), limiter == Limiter::minmod ? 1.7 : 1.8);

@@ -1,7 +1,8 @@
 #pragma once
-// L1 errors against exact solutions.
+// L1 errors against exact solutions, and against finer runs.
 
 #include <cmath>
+#include <vector>
 
 namespace couloir::test {
 
@@ -29,6 +30,18 @@ RowError row_error(const Solver& s, Exact&& exact, Counts&& counts) {
 template <class Solver, class Exact>
 RowError row_error(const Solver& s, Exact&& exact) {
   return row_error(s, exact, [](double) { return true; });
+}
+
+// Mean distance of a row of cells to the means of a finer one, whose number of cells is a multiple.
+inline double error_to_finer(const std::vector<double>& coarse, const std::vector<double>& fine) {
+  const std::size_t ratio = fine.size() / coarse.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    double mean = 0;
+    for (std::size_t k = 0; k < ratio; ++k) mean += fine[i * ratio + k];
+    sum += std::abs(coarse[i] - mean / static_cast<double>(ratio));
+  }
+  return sum / static_cast<double>(coarse.size());
 }
 
 // Mean of an exact state over the cell at x, by 32 points: what a cell holds where a shock stands in it.

@@ -1,4 +1,5 @@
 #include "convergence.hpp"
+#include "errors.hpp"
 #include "schemes.hpp"
 #include "study.hpp"
 
@@ -22,17 +23,6 @@ class Relief : public SchemeTest<S> {
     solver.gather(h, hu, hv);
     return h;
   }
-
-  static double error(const std::vector<double>& coarse, const std::vector<double>& fine) {
-    const std::size_t ratio = fine.size() / coarse.size();
-    double sum = 0;
-    for (std::size_t i = 0; i < coarse.size(); ++i) {
-      double mean = 0;
-      for (std::size_t k = 0; k < ratio; ++k) mean += fine[i * ratio + k];
-      sum += std::abs(coarse[i] - mean / static_cast<double>(ratio));
-    }
-    return sum / static_cast<double>(coarse.size());
-  }
 };
 TYPED_TEST_SUITE(Relief, Schemes, SchemeNames);
 
@@ -41,7 +31,7 @@ TYPED_TEST(Relief, IsOfSecondOrder) {
   const auto reference = this->hump(3200, Limiter::mc);
   for (Limiter limiter : TypeParam::limiters) {
     Study study("smooth", "hump over a wavy bed, " + limiter_name(limiter), "h [m], L1 to 3200 cells");
-    for (int n : {100, 200, 400}) study.add(n, this->error(this->hump(n, limiter), reference));
+    for (int n : {100, 200, 400}) study.add(n, error_to_finer(this->hump(n, limiter), reference));
     study.expect_order(TypeParam::order_smooth);
   }
 }
