@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "continuum/scheme/cell_state.hpp"
+#include "continuum/scheme/effects.hpp"
 #include "continuum/solver_impl.hpp"
 
 namespace couloir {
@@ -41,13 +41,14 @@ std::int64_t Solver::cell_updates() const {
 void Solver::set(const std::function<FlowState(double x, double y)>& state) {
   const Grid& g = grid();
   for (int j = 0; j < g.ny; ++j) {
-    for (int i = 0; i < g.nx; ++i) impl_->put(i, j, state(g.x(i), g.y(j)));
+    for (int i = 0; i < g.nx; ++i) set(i, j, state(g.x(i), g.y(j)));
   }
 }
 
 void Solver::set(int i, int j, const FlowState& q) {
   require_cell(grid(), i, j);
   impl_->put(i, j, q);
+  impl_->put_passive(i, j, {0, 0});
 }
 
 FlowState Solver::at(int i, int j) const {
@@ -98,15 +99,11 @@ double Solver::max_speed() const {
 
 std::array<double, 2> Solver::earth_pressure(int i, int j) const {
   require_cell(grid(), i, j);
-  const CellPlace place = impl_->mesh.place(i, j);
-  impl_->ghosts.set_time(time());
-  impl_->ghosts.fill(impl_->states, place.block);
-  const Block& b = impl_->mesh.blocks()[place.block];
-  Scratch w;
-  w.resize(b.size());
-  find_velocity(impl_->parameters, b, impl_->states[place.block].now, w);
-  find_earth_pressure(impl_->parameters, b, impl_->faces[place.block].steps, impl_->states[place.block].now, w);
-  return {w.kx[place.cell], w.ky[place.cell]};
+  if (!with_earth_pressure(impl_->parameters)) return {1, 1};
+  impl_->refresh();
+  const EarthPressure& k = impl_->settings.closure.earth_pressure;
+  const auto [x, y] = impl_->passive(i, j);
+  return {k.kx_mobilised(x), k.ky_mobilised(x, y)};
 }
 
 double Solver::stable_dt() const {

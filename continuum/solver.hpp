@@ -32,6 +32,7 @@ class Solver final : public FlowModel {
   std::int64_t steps() const override;
   std::int64_t cell_updates() const override;
 
+  // Material that is set is active (mobilisation.hpp).
   void set(const std::function<FlowState(double x, double y)>&) override;
   void set(int i, int j, const FlowState&) override;
   FlowState at(int i, int j) const override;

@@ -8,7 +8,7 @@
 namespace couloir {
 namespace {
 
-constexpr std::uint64_t signature = 0x32526c6f75636f63;  // changes with the layout
+constexpr std::uint64_t signature = 0x33526c6f75636f63;  // changes with the layout
 
 constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
 
@@ -19,9 +19,9 @@ std::vector<std::uint8_t> Solver::checkpoint() const {
   ByteWriter put;
   put(signature);
   put(m.settings.grid.nx), put(m.settings.grid.ny), put(static_cast<int>(m.impulse.size()));
-  put(m.time), put(m.steps), put(m.cell_updates), put(m.min_depth), put(m.min_depth_met);
+  put(m.time), put(m.steps), put(m.cell_updates), put(m.min_depth), put(m.min_depth_met), put(m.strained);
   for (int j = 0; j < m.settings.grid.ny; ++j) {
-    for (int i = 0; i < m.settings.grid.nx; ++i) put(m.get(i, j));
+    for (int i = 0; i < m.settings.grid.nx; ++i) put(m.get(i, j)), put(m.passive(i, j));
   }
   put(m.zone.box());
   for (SideName side : all_sides) {
@@ -49,9 +49,13 @@ void Solver::restore(const std::vector<std::uint8_t>& bytes) {
   m.cell_updates = in.take<std::int64_t>();
   m.min_depth = in.take<double>();
   m.min_depth_met = in.take<bool>();
+  m.strained = in.take<double>();
   for (BlockState& s : m.states) s.wet = false;
   for (int j = 0; j < m.settings.grid.ny; ++j) {
-    for (int i = 0; i < m.settings.grid.nx; ++i) m.put(i, j, in.take<FlowState>());
+    for (int i = 0; i < m.settings.grid.nx; ++i) {
+      m.put(i, j, in.take<FlowState>());
+      m.put_passive(i, j, in.take<std::array<double, 2>>());
+    }
   }
   const CellBox box = in.take<CellBox>();
   box.empty() ? m.uncover() : m.cover(box);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "continuum/errors.hpp"
+#include "continuum/scheme/effects.hpp"
 
 namespace couloir {
 namespace {
@@ -54,6 +55,10 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
     const Block& b = mesh.blocks()[k];
     states[k].now.resize(b.size());
     states[k].start.resize(b.size());
+    if (with_earth_pressure(parameters)) {
+      states[k].passive_x.assign(b.size(), 0.0);
+      states[k].passive_y.assign(b.size(), 0.0);
+    }
     states[k].open.assign(b.size(), 1.0);
     faces[k].steps = StepFaces(b);
     faces[k].pushed = PushedCells(b);
@@ -92,6 +97,7 @@ void Solver::Impl::step(double dt) {
   collect_tallies();
   count_zone(dt);
   time = end;
+  strained = dt;
   ++steps;
   rate.reset();
 }
@@ -113,8 +119,9 @@ void Solver::Impl::refresh() {
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
   for (int k = 0; k < n; ++k) {
     const int b = chosen[k];
-    rates[b] = signal_rate(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()]);
+    rates[b] = begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()], strained);
   }
+  strained = 0;
   check_finite();
   rate = *std::max_element(rates.begin(), rates.end());
 }
@@ -152,7 +159,10 @@ void Solver::Impl::fill_ghosts(double at, Moment moment) {
   }
   const int n = static_cast<int>(chosen.size());
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
-  for (int k = 0; k < n; ++k) ghosts.fill(states, chosen[k]);
+  for (int k = 0; k < n; ++k) {
+    ghosts.fill(states, chosen[k]);
+    if (with_earth_pressure(parameters)) ghosts.fill_passive(states, chosen[k]);
+  }
 }
 
 void Solver::Impl::run(StageName stage, double dt) {
@@ -378,4 +388,18 @@ FlowState Solver::Impl::get(int i, int j) const {
   return {q.h[place.cell], q.hu[place.cell], q.hv[place.cell]};
 }
 
+
+void Solver::Impl::put_passive(int i, int j, const std::array<double, 2>& share) {
+  if (!with_earth_pressure(parameters)) return;
+  const CellPlace place = mesh.place(i, j);
+  states[place.block].passive_x[place.cell] = share[0];
+  states[place.block].passive_y[place.cell] = share[1];
+  rate.reset();
+}
+
+std::array<double, 2> Solver::Impl::passive(int i, int j) const {
+  if (!with_earth_pressure(parameters)) return {};
+  const CellPlace place = mesh.place(i, j);
+  return {states[place.block].passive_x[place.cell], states[place.block].passive_y[place.cell]};
+}
 }  // namespace couloir

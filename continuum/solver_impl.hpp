@@ -55,6 +55,9 @@ struct Solver::Impl {
   std::array<double, 2> momentum_in(const CellBox&) const;  // [m4/s]
   void put(int i, int j, const FlowState&);
   FlowState get(int i, int j) const;
+  // Shares of the passive state along x and y; 0 where the closure is hydraulic.
+  void put_passive(int i, int j, const std::array<double, 2>&);
+  std::array<double, 2> passive(int i, int j) const;
   template <class F>
   void for_open_cells(F&& f) const;  // f(fields, cell) in a fixed order
 
@@ -79,6 +82,7 @@ struct Solver::Impl {
   Budget budget;
   double steepest = 0;  // how fast slope and bed speed the flow up [1/s2]
   double time = 0;
+  double strained = 0;  // [s] of the last step, for which the earth pressure has still to follow
   std::int64_t steps = 0, cell_updates = 0;
   double min_depth = 0;
   bool min_depth_met = false;

@@ -145,6 +145,18 @@ void Ghosts::fill(std::vector<BlockState>& states, int block) const {
   }
 }
 
+void Ghosts::fill_passive(std::vector<BlockState>& states, int block) const {
+  BlockState& to = states[block];
+  const auto take = [&](const Copy& c) {
+    const BlockState& from = states[c.from.block];
+    to.passive_x[c.to] = from.passive_x[c.from.cell];
+    to.passive_y[c.to] = from.passive_y[c.from.cell];
+  };
+  for (const Copy& c : plans_[block].copies) take(c);
+  for (const Mirror& m : plans_[block].mirrors) take(m.copy);
+  for (const Fixed& f : plans_[block].fixed) take(f.copy);
+}
+
 void Ghosts::fill_open(std::vector<BlockState>& states, int block) const {
   std::vector<double>& to = states[block].open;
   const auto take = [&](const Copy& c) { to[c.to] = states[c.from.block].open[c.from.cell]; };

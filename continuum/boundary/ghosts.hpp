@@ -26,6 +26,8 @@ class Ghosts {
   void set_time(double time, Moment = Moment::after);
   // State in the ghosts of one block, from the interiors of the others.
   void fill(std::vector<BlockState>&, int block) const;
+  // Shares of the passive state, likewise; what flows in has that of the cells it meets.
+  void fill_passive(std::vector<BlockState>&, int block) const;
   // Open or covered, in the ghosts of one block.
   void fill_open(std::vector<BlockState>&, int block) const;
 

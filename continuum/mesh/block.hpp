@@ -44,6 +44,7 @@ struct Fields {
 struct BlockState {
   Fields now;                // ghosts included
   Fields start;              // at the start of the step; interior only is meaningful
+  std::vector<double> passive_x, passive_y;  // share of the passive state, ghosts included; only where K depends on it
   std::vector<double> open;  // 1: the solver's own cell, 0: covered; ghosts included
   bool all_open = true;      // no covered cell, ghosts included
   bool wet = false;          // some depth reaches the dry depth

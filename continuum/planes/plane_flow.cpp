@@ -6,10 +6,11 @@
 #include <sstream>
 
 #include "continuum/errors.hpp"
-#include "continuum/scheme/cell_state.hpp"
 #include "continuum/scheme/face_flux.hpp"
+#include "continuum/scheme/mobilisation.hpp"
 #include "continuum/scheme/reconstruct.hpp"
 #include "continuum/scheme/rest.hpp"
+#include "continuum/scheme/velocity.hpp"
 
 namespace couloir {
 namespace {
@@ -36,6 +37,8 @@ PlaneFlow::PlaneFlow(const PlaneSettings& s) : settings_(s), parameters_(paramet
   for (auto* column : {&b.kappa, &b.foot_depth, &b.no_depth}) column->assign(b.row(), 0.0);
   state_.now.resize(b.size());
   state_.start.resize(b.size());
+  state_.passive_x.assign(b.size(), 0.0);
+  state_.passive_y.assign(b.size(), 0.0);
   state_.open.assign(b.size(), 1.0);
   scratch_.resize(b.size());
   for (SideName side : all_sides) imposed_[static_cast<int>(side)].resize(faces(side));
@@ -50,6 +53,7 @@ void PlaneFlow::set(int i, int j, const FlowState& q) {
   const int c = block_.at(i, j);
   const bool wet = q.h >= settings_.dry_depth;
   state_.now.h[c] = q.h, state_.now.hu[c] = wet ? q.hu : 0.0, state_.now.hv[c] = wet ? q.hv : 0.0;
+  state_.passive_x[c] = state_.passive_y[c] = 0;
   state_.wet = state_.wet || wet;
 }
 
@@ -86,7 +90,7 @@ void PlaneFlow::fill_ghosts() {
   for (int j = -Block::ghosts; j < b.ny + Block::ghosts; ++j) {
     for (int i = -Block::ghosts; i < b.nx + Block::ghosts; ++i) {
       const int to = b.at(i, j), from = b.at(std::clamp(i, 0, b.nx - 1), std::clamp(j, 0, b.ny - 1));
-      for (auto* q : {&state_.now.h, &state_.now.hu, &state_.now.hv}) (*q)[to] = (*q)[from];
+      for (auto* q : {&state_.now.h, &state_.now.hu, &state_.now.hv, &state_.passive_x, &state_.passive_y}) (*q)[to] = (*q)[from];
     }
   }
 }
@@ -94,11 +98,16 @@ void PlaneFlow::fill_ghosts() {
 void PlaneFlow::find_closures() {
   fill_ghosts();
   find_velocity(parameters_, block_, state_.now, scratch_);
-  find_earth_pressure(parameters_, block_, no_steps_, state_.now, scratch_);
+  find_earth_pressure(parameters_, block_, state_, scratch_);
 }
 
 void PlaneFlow::refresh() {
-  if (state_.wet) find_closures();
+  if (!state_.wet) return;
+  fill_ghosts();
+  find_velocity(parameters_, block_, state_.now, scratch_);
+  mobilise(parameters_, block_, no_steps_, state_, scratch_, strained_);
+  strained_ = 0;
+  find_earth_pressure(parameters_, block_, state_, scratch_);
 }
 
 double PlaneFlow::stable_dt() const {
@@ -159,6 +168,7 @@ bool PlaneFlow::at_work() const {
 
 void PlaneFlow::step(double dt) {
   if (!at_work()) return;
+  strained_ = dt;
   Tally t;
   for (StageName name : {StageName::predictor, StageName::corrector}) {
     t.reset(0, 0, 0);
@@ -252,16 +262,24 @@ Budget PlaneFlow::take_budget() {
 
 void PlaneFlow::save(ByteWriter& put) const {
   for (int j = 0; j < block_.ny; ++j) {
-    for (int i = 0; i < block_.nx; ++i) put(at(i, j));
+    for (int i = 0; i < block_.nx; ++i) {
+      const int c = block_.at(i, j);
+      put(at(i, j)), put(state_.passive_x[c]), put(state_.passive_y[c]);
+    }
   }
-  put(min_depth_), put(updates_), put(budget_);
+  put(strained_), put(min_depth_), put(updates_), put(budget_);
 }
 
 void PlaneFlow::restore(ByteReader& in) {
   state_.wet = false;
   for (int j = 0; j < block_.ny; ++j) {
-    for (int i = 0; i < block_.nx; ++i) set(i, j, in.take<FlowState>());
+    for (int i = 0; i < block_.nx; ++i) {
+      const int c = block_.at(i, j);
+      set(i, j, in.take<FlowState>());
+      state_.passive_x[c] = in.take<double>(), state_.passive_y[c] = in.take<double>();
+    }
   }
+  strained_ = in.take<double>();
   min_depth_ = in.take<double>(), updates_ = in.take<long>(), budget_ = in.take<Budget>();
 }
 

@@ -89,6 +89,7 @@ class PlaneFlow {
   StepFaces no_steps_;
   Scratch scratch_;
   std::array<std::vector<FaceFlux>, 4> imposed_;
+  double strained_ = 0;  // [s] of the last step, for which the earth pressure has still to follow
   Budget budget_;
   double min_depth_ = 0;
   long updates_ = 0;

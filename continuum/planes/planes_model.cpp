@@ -9,7 +9,7 @@
 namespace couloir {
 namespace {
 
-constexpr std::uint64_t signature = 0x32656e616c706c63;  // changes with the layout
+constexpr std::uint64_t signature = 0x33656e616c706c63;  // changes with the layout
 constexpr double tall = 1e6;                             // [m] the slope's own steps see a wall that nothing passes
 
 void require(bool good, const char* sentence) {

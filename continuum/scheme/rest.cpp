@@ -14,15 +14,15 @@ struct Slope {
 
 class RestTest {
  public:
-  RestTest(const Parameters& p, const Block& b, const BlockState& s, const Scratch& w)
-      : p_(p), b_(b), q_(s.now), w_(w), mu_(p.closure.tan_delta * (1 + 1e-12)) {}
+  RestTest(const Parameters& p, const Block& b, const BlockState& s) : p_(p), b_(b), q_(s.now), mu_(p.closure.tan_delta * (1 + 1e-12)) {}
 
   bool locked(int i, int j) const {
     const int c = b_.at(i, j);
     if (q_.h[c] < p_.dry_depth) return true;
     if (q_.hu[c] != 0 || q_.hv[c] != 0) return false;
     const int gi = b_.i0 + i, gj = b_.j0 + j, row = b_.row();
-    const double kx = w_.kx[c], ky = w_.ky[c];
+    // What rests may take any state between active and passive: it holds where the active one does.
+    const double kx = p_.closure.earth_pressure.x_active, ky = p_.closure.earth_pressure.y_active_active;
     const Slope x_lo = slope(c, c - 1, kx, gi == 0 && wall(0)), x_hi = slope(c, c + 1, kx, gi == p_.grid.nx - 1 && wall(1));
     const Slope y_lo = slope(c, c - row, ky, gj == 0 && wall(2)), y_hi = slope(c, c + row, ky, gj == p_.grid.ny - 1 && wall(3));
     double fx = 0, fy = 0;
@@ -60,7 +60,6 @@ class RestTest {
   const Parameters& p_;
   const Block& b_;
   const Fields& q_;
-  const Scratch& w_;
   double mu_;
 };
 
@@ -96,7 +95,7 @@ void find_locked(const Parameters& p, const Block& b, const BlockState& s, Scrat
     copy_from_inside(p, b, w.loose);
     return;
   }
-  const RestTest test(p, b, s, w);
+  const RestTest test(p, b, s);
   for (int j = -1; j <= b.ny; ++j) {
     for (int i = -1; i <= b.nx; ++i) {
       w.loose[b.at(i, j)] = s.open[b.at(i, j)] == 1 && test.locked(i, j) ? 0.0 : 1.0;

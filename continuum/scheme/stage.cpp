@@ -4,11 +4,12 @@
 #include <cmath>
 #include <type_traits>
 
-#include "continuum/scheme/cell_state.hpp"
 #include "continuum/scheme/effects.hpp"
 #include "continuum/scheme/face_flux.hpp"
+#include "continuum/scheme/mobilisation.hpp"
 #include "continuum/scheme/reconstruct.hpp"
 #include "continuum/scheme/rest.hpp"
+#include "continuum/scheme/velocity.hpp"
 
 namespace couloir {
 namespace {
@@ -42,7 +43,7 @@ void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, con
                StageName stage, double dt, Tally& t) {
   const Axis x = Axis::x(b, w, p.grid.dx, p.grid.dy), y = Axis::y(b, w, p.grid.dx, p.grid.dy);
   find_velocity(p, b, s.now, w);
-  find_earth_pressure(p, b, faces.steps, s.now, w);
+  find_earth_pressure(p, b, s, w);
   find_locked(p, b, s, w);
   for (const Axis& axis : {x, y}) {
     fluxes_along(axis, p, b, faces, zone, s, w);
@@ -57,9 +58,10 @@ void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, con
   count_box_friction(faces.boxes, b, w, p.grid, t);
 }
 
-double signal_rate(const Parameters& p, const Block& b, const BlockFaces& faces, const BlockState& s, Scratch& w) {
+double begin_step(const Parameters& p, const Block& b, const BlockFaces& faces, BlockState& s, Scratch& w, double since) {
   find_velocity(p, b, s.now, w);
-  find_earth_pressure(p, b, faces.steps, s.now, w);
+  mobilise(p, b, faces.steps, s, w, since);
+  find_earth_pressure(p, b, s, w);
   const auto comes_in = [&](int side) { return p.sides[side].kind == Side::Kind::inflow ? 1 : 0; };
   const int i0 = b.i0 == 0 ? -comes_in(0) : 0, i1 = b.nx + (b.i0 + b.nx == p.grid.nx ? comes_in(1) : 0);
   const int j0 = b.j0 == 0 ? -comes_in(2) : 0, j1 = b.ny + (b.j0 + b.ny == p.grid.ny ? comes_in(3) : 0);

@@ -29,8 +29,8 @@ struct BlockFaces {
 void run_stage(const Parameters&, const Block&, const BlockFaces&, const CoveredZone&, BlockState&, Scratch&, StageName,
                double dt, Tally&);
 
-// Fastest rate at which a signal crosses a cell of this block or of an inflow beside it: max of (|u| + c_x)/dx + (|v| + c_y)/dy
-// [1/s].
-double signal_rate(const Parameters&, const Block&, const BlockFaces&, const BlockState&, Scratch&);
+// Carries the earth pressure's shares on over the time since the last step [s]; returns the fastest rate at which a signal then
+// crosses a cell of this block or of an inflow beside it: max of (|u| + c_x)/dx + (|v| + c_y)/dy [1/s].
+double begin_step(const Parameters&, const Block&, const BlockFaces&, BlockState&, Scratch&, double since);
 
 }  // namespace couloir

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "continuum/scheme/mobilisation.hpp"
 #include "scenes.hpp"
 
 namespace couloir::test {
@@ -64,15 +65,69 @@ TEST(EarthPressure, RefusesAnglesWithoutAStress) {
   EXPECT_THROW(EarthPressure::active_passive(degrees(90), degrees(40)), std::invalid_argument);
 }
 
-TEST(EarthPressure, OfACellComesFromItsNeighboursVelocities) {
-  SolverSettings s = basin(10, 5, 0.1);
-  s.gravity = 0.1;  // slow waves: this compression mobilises all of the passive state
+// A row whose velocity falls (or rises) along x by `rate` per second and metre, weightless so that only strain acts.
+Solver strained_row(double rate, double duration) {
+  SolverSettings s = basin(40, 3, 0.05);
+  s.gravity = 1e-9;
+  s.closure = quartz();
+  s.closure.tan_delta = 0;
+  Solver solver(s, ReferenceSurface::flat(2), {});
+  solver.set([=](double x, double) { return FlowState{0.1, 0.1 * rate * (x - 1), 0}; });
+  while (solver.time() < 0.999 * duration) solver.step(duration / 200);
+  return solver;
+}
+
+TEST(EarthPressure, FollowsTheStrain) {
+  const EarthPressure k = quartz().earth_pressure;
+  EXPECT_EQ(strained_row(-0.5, 0.0).earth_pressure(20, 1)[0], k.x_active);
+  // Compressed at 0.5 1/s, faster while it goes on: ln(1 - 0.5 t).
+  EXPECT_NEAR(strained_row(-0.5, 0.2).earth_pressure(20, 1)[0], k.kx_mobilised(-std::log(0.9) / passive_strain), 1e-3);
+  EXPECT_EQ(strained_row(-0.5, 0.8).earth_pressure(20, 1)[0], k.x_passive);
+  EXPECT_EQ(strained_row(+0.5, 0.8).earth_pressure(20, 1)[0], k.x_active);
+}
+
+TEST(EarthPressure, TravelsWithTheFlow) {
+  SolverSettings s = basin(120, 3, 0.05);
+  s.sides = sides(Side::Kind::outflow, Side::Kind::wall);
+  s.gravity = 1e-9;
+  s.closure = quartz();
+  s.closure.tan_delta = 0;
+  const EarthPressure k = s.closure.earth_pressure;
+  Solver solver(s, ReferenceSurface::flat(6), {});
+  // Fast behind slow: what has been compressed between them goes on.
+  solver.set([](double x, double) { return FlowState{x < 4 ? 0.05 : 0.0, x < 0.5 ? 0.1 : 0.05, 0}; });
+  const auto centre = [&] {
+    double sum = 0, moment = 0;
+    for (int i = 0; i < 120; ++i) {
+      const double passive = solver.at(i, 1).h > 0 ? solver.earth_pressure(i, 1)[0] - k.x_active : 0.0;
+      sum += passive, moment += passive * s.grid.x(i);
+    }
+    return moment / sum;
+  };
+  solver.advance_to(0.5);
+  const double before = centre();
+  solver.advance_to(1.0);
+  EXPECT_GT(centre() - before, 0.5);
+  EXPECT_LT(centre() - before, 1.0);
+}
+
+TEST(EarthPressure, StaysAsItIsInADeposit) {
+  SolverSettings s = basin(60, 3, 0.02);
   s.closure = quartz();
   const EarthPressure k = s.closure.earth_pressure;
-  Solver solver(s, ReferenceSurface::flat(1), {});
-  solver.set([](double x, double y) { return FlowState{0.1, 0.2 * (x < 0.5 ? x : 1 - x), 0.2 * y + 0.1}; });
-  EXPECT_EQ(solver.earth_pressure(2, 2), (std::array<double, 2>{k.x_active, k.y_active_active}));
-  EXPECT_EQ(solver.earth_pressure(7, 2), (std::array<double, 2>{k.x_passive, k.y_active_passive}));
+  Solver solver(s, ReferenceSurface::incline(degrees(25), 1.2), {});
+  solver.set([](double x, double) { return FlowState{x < 0.4 ? 0.05 : 0.0, x < 0.4 ? 0.05 : 0.0, 0}; });
+  solver.advance_to(4);
+  ASSERT_EQ(solver.max_speed(), 0);
+  std::vector<std::array<double, 2>> rest;
+  bool between = false;
+  for (int i = 0; i < 60; ++i) {
+    rest.push_back(solver.earth_pressure(i, 1));
+    between = between || (rest[i][0] > k.x_active && rest[i][0] < k.x_passive);
+  }
+  EXPECT_TRUE(between);
+  solver.advance_to(6);
+  for (int i = 0; i < 60; ++i) EXPECT_EQ(solver.earth_pressure(i, 1), rest[i]) << i;
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+#pragma once
+// Earth pressure coefficients between active and passive, by what the material has undergone.
+//
+//   The share of the passive state x moves with the material and follows its strain, kept in [0, 1]:
+//
+//     dx/dt + u . grad x = -(du/dx) / passive_strain
+//
+//   Compressed by passive_strain it is passive, stretched by as much active again; at rest it stays as it is, somewhere between.
+//   The same for y with dv/dy. (2.85), (2.86) with their jump at du/dx = 0 are its limit for no strain at all.
+//   docs/decisions/0004.
+
+#include "continuum/mesh/block.hpp"
+#include "continuum/scheme/parameters.hpp"
+#include "continuum/scheme/scratch.hpp"
+#include "continuum/scheme/step_faces.hpp"
+
+namespace couloir {
+
+inline constexpr double passive_strain = 0.3;
+
+// Carries the shares of the interior and the first ghost layer on by dt [s]. Needs find_velocity() of the present state and the
+// shares in all ghosts. Dry neighbours have no say in du/dx; a wall that the flow cannot pass counts as its mirror image.
+void mobilise(const Parameters&, const Block&, const StepFaces&, BlockState&, Scratch&, double dt);
+
+// K_x, K_y of those cells by their shares.
+void find_earth_pressure(const Parameters&, const Block&, const BlockState&, Scratch&);
+
+}  // namespace couloir

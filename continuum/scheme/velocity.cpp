@@ -1,0 +1,25 @@
+#include "continuum/scheme/velocity.hpp"
+
+#include "continuum/scheme/effects.hpp"
+
+namespace couloir {
+
+void find_velocity(const Parameters& p, const Block& b, const Fields& q, Scratch& w) {
+  const double *h = q.h.data(), *hu = q.hu.data(), *hv = q.hv.data(), *bed = b.bed.data();
+  double *u = w.u.data(), *v = w.v.data(), *eta = w.eta.data();
+  const double dry = p.dry_depth;
+  const int n = b.size();
+#pragma omp simd
+  for (int c = 0; c < n; ++c) {
+    const bool wet = h[c] >= dry;
+    const double depth = wet ? h[c] : 1.0;
+    u[c] = wet ? hu[c] / depth : 0.0;
+    v[c] = wet ? hv[c] / depth : 0.0;
+  }
+  if (with_relief(b)) {
+#pragma omp simd
+    for (int c = 0; c < n; ++c) eta[c] = h[c] + bed[c];
+  }
+}
+
+}  // namespace couloir
