@@ -154,8 +154,7 @@ void Solver::Impl::choose_blocks(bool corrector) {
 void Solver::Impl::fill_ghosts(double at, Moment moment) {
   ghosts.set_time(at, moment);
   for (int side = 0; side < 4; ++side) {
-    const Side& s = settings.sides[side];
-    parameters.shut[side] = s.kind == Side::Kind::inflow && inflow_at(s, at, moment).depth == 0;
+    parameters.inflow[side] = inflow_at(settings.sides[side], at, moment);
   }
   const int n = static_cast<int>(chosen.size());
 #pragma omp parallel for num_threads(settings.threads) schedule(static)

@@ -15,9 +15,13 @@ struct Parameters {
   Closure closure;
   Limiter limiter = Limiter::minmod;
   std::array<Side, 4> sides{};
-  double dry_depth = 0;        // [m]
-  std::array<bool, 4> shut{};  // inflow sides through which nothing comes now: walls
-  bool wall(int side) const { return shut[side] || sides[side].kind == Side::Kind::wall; }
+  double dry_depth = 0;                 // [m]
+  std::array<InflowPoint, 4> inflow{};  // through each inflow side, now
+  bool comes_in(int side) const { return sides[side].kind == Side::Kind::inflow && inflow[side].depth > 0; }
+  // An inflow side through which nothing comes is one.
+  bool wall(int side) const {
+    return sides[side].kind == Side::Kind::wall || (sides[side].kind == Side::Kind::inflow && !comes_in(side));
+  }
 };
 
 }  // namespace couloir

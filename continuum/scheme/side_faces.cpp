@@ -1,6 +1,7 @@
 #include "continuum/scheme/side_faces.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "continuum/scheme/hll.hpp"
 
@@ -22,6 +23,20 @@ void for_side_faces(const Parameters& p, const Block& b, const Axis& axis, F&& f
   }
 }
 
+// q^2/h + g h^2/2, the momentum flux of a discharge q at depth h; least at the critical depth.
+double specific_force(double q, double h, double g) {
+  return q * q / h + pressure(h, g);
+}
+
+// Momentum that comes in with the discharge h u. What is slower than its waves takes the depth of the flow inside, or the critical
+// one where that is less; what is faster brings its own, unless the flow inside is deep enough to drown it.
+double inflow_momentum(const InflowPoint& in, double inside, double g) {
+  const double q = in.depth * in.velocity, critical = std::cbrt(q * q / g);
+  if (q == 0) return pressure(inside, g);
+  const double drowned = specific_force(q, std::max(inside, critical), g);
+  return in.depth < critical ? std::max(specific_force(q, in.depth, g), drowned) : drowned;
+}
+
 }  // namespace
 
 void side_fluxes(const Parameters& p, const Block& b, const Axis& axis, const FaceValues& v) {
@@ -30,6 +45,14 @@ void side_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Fa
     const bool low = side % 2 == 0;
     const double outward = low ? -1 : 1;
     const Side::Kind kind = p.sides[side].kind;
+    if (p.comes_in(side)) {
+      const InflowPoint& in = p.inflow[side];
+      const double h = low ? v.h_lo[inside] : v.h_hi[inside], g = axis.k[inside] * axis.weight[column + Block::ghosts];
+      f.mass[face] = -outward * in.depth * in.velocity;
+      f.tangent[face] = 0;
+      f.normal[face] = f.normal_below[face] = f.normal_above[face] = inflow_momentum(in, h, g);
+      return;
+    }
     const bool closed = p.wall(side) || (kind == Side::Kind::outflow && outward * axis.un[inside] < 0);
     if (!closed) return;
     const double h = low ? v.h_lo[inside] : v.h_hi[inside];

@@ -1,6 +1,7 @@
 #pragma once
 // The faces on the domain's sides. A wall turns the flow back; an outflow side does so with what moves away from it, so that
-// nothing enters; inflow and periodic sides take the flux between the cells on both sides.
+// nothing enters; through an inflow side comes the depth times velocity that is given, whatever the flow inside does; periodic
+// sides take the flux between the cells on both sides.
 
 #include "continuum/boundary/covered_zone.hpp"
 #include "continuum/mesh/block.hpp"
@@ -10,7 +11,7 @@
 
 namespace couloir {
 
-// Replaces the fluxes through walls and through closed outflow faces.
+// Replaces the fluxes through walls, inflow sides and closed outflow faces.
 void side_fluxes(const Parameters&, const Block&, const Axis&, const FaceValues&);
 
 // Books what passes; share: what this stage counts in the step, times dt [s].

@@ -48,6 +48,36 @@ TEST(Boundary, InflowFillsWithWhatItIsGiven) {
   EXPECT_NEAR(solver.at(30, 1).hu, 0.1, 1e-9);
 }
 
+// Slower than its waves, into a dry, an empty and a filled basin: what is stated enters all the same; and where nothing hinders
+// it the flow has the critical depth (q^2/g)^(1/3) at the side.
+TEST(Boundary, ASlowInflowBringsWhatIsStated) {
+  for (const double filled : {0.0, 0.02, 0.2}) {
+    SolverSettings s = basin(200, 3, 0.02);
+    s.sides[0] = {Side::Kind::inflow, 0.1, 0.3};  // Fr = 0.3
+    s.sides[1].kind = filled > 0 ? Side::Kind::wall : Side::Kind::outflow;
+    Solver solver(s, ReferenceSurface::flat(4), {});
+    solver.set([=](double, double) { return FlowState{filled, 0, 0}; });
+    const double before = solver.volume();
+    solver.advance_to(1);
+    const double asked = 0.1 * 0.3 * 1 * 0.06;
+    EXPECT_NEAR(solver.budget().mass_inflow, asked, 1e-13 * asked) << filled;
+    EXPECT_NEAR(solver.volume(), before + asked, 1e-13 * (before + asked)) << filled;
+    EXPECT_GE(solver.min_depth(), 0);
+    if (filled == 0) EXPECT_NEAR(solver.at(0, 1).h, std::cbrt(0.03 * 0.03 / 9.81), 0.05 * std::cbrt(0.03 * 0.03 / 9.81));
+  }
+}
+
+// Faster than its waves, but the basin it fills rises over it.
+TEST(Boundary, AFastInflowIsDrownedAndStillComesIn) {
+  SolverSettings s = basin(50, 3, 0.02);
+  s.sides[0] = {Side::Kind::inflow, 0.05, 2.0};
+  Solver solver(s, ReferenceSurface::flat(1), {});
+  solver.advance_to(8);
+  const double asked = 0.05 * 2 * 8 * 0.06;
+  EXPECT_NEAR(solver.volume(), asked, 1e-12 * asked);
+  EXPECT_GT(solver.at(0, 1).h, 0.6);
+}
+
 // Depth rises from 20 to 60 mm in 0.3 s at 2 m/s (Fr > 2.6: all of it enters) and ends: what is inside is the integral.
 TEST(Boundary, AHydrographFillsWithItsIntegral) {
   for (const int n : {100, 200}) {
