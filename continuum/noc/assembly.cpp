@@ -57,27 +57,6 @@ NocSolver::Impl::Giver NocSolver::Impl::giver(int i, int j, int a, int b) const 
   return g;
 }
 
-// Beyond an inflow stands what it is given, uniform and steady.
-void NocSolver::Impl::make_inflow(double tau) {
-  for (int side = 0; side < 4; ++side) {
-    const Side& s = settings.sides[side];
-    if (s.kind != Side::Kind::inflow) continue;
-    const bool along_x = side < 2;
-    const double inward = side % 2 == 0 ? s.velocity : -s.velocity, u = along_x ? inward : 0.0, v = along_x ? 0.0 : inward;
-    const double weight = terrain.weight(side == 1 ? terrain.quarters_x() - 1 : 0);
-    const EarthPressure& k = settings.closure.earth_pressure;
-    const FaceFlux f = flux_x(s.depth, u, v, k.x_active * weight), g = flux_y(s.depth, u, v, k.y_active_active * weight);
-    const double lx = 0.5 * tau / settings.grid.dx, ly = 0.5 * tau / settings.grid.dy;
-    Point p;
-    p.q = p.half = {s.depth, s.depth * u, s.depth * v};
-    p.flux_x = {lx * f.mass, lx * f.mom_x, lx * f.mom_y};
-    p.flux_y = {ly * g.mass, ly * g.mom_x, ly * g.mom_y};
-    p.reach = s.velocity + 2 * std::sqrt(std::max(k.x_active, k.y_active_active) * weight * s.depth);
-    p.keep = own_keep(p);
-    inflow[side] = p;
-  }
-}
-
 bool NocSolver::Impl::on_side(int i, int j) const {
   const Grid& g = settings.grid;
   return ((i == 0 || i == g.nx) && settings.sides[0].kind != Side::Kind::periodic) ||

@@ -19,12 +19,13 @@ double NocSolver::Impl::gain(int i, int j, int a, int b) const {
 void NocSolver::Impl::count_sides(const CellBox& box) {
   const Grid& g = settings.grid;
   double through = 0, through_inflow = 0;
-  const auto at_inflow = [&](int i, int j) {
+  for (std::vector<double>& side : inflow_entered) std::fill(side.begin(), side.end(), 0.0);
+  const auto inflow_side = [&](int i, int j) {
     const bool at[] = {i == 0, i == g.nx, j == 0, j == g.ny};
     for (int side = 0; side < 4; ++side) {
-      if (at[side] && settings.sides[side].kind == Side::Kind::inflow) return true;
+      if (at[side] && settings.sides[side].kind == Side::Kind::inflow) return side;
     }
-    return false;
+    return -1;
   };
   const auto count = [&](int i, int j) {
     double sum = 0;
@@ -35,7 +36,10 @@ void NocSolver::Impl::count_sides(const CellBox& box) {
       }
     }
     through += sum;
-    if (at_inflow(i, j)) through_inflow += sum;
+    if (const int side = inflow_side(i, j); side >= 0) {
+      through_inflow += sum;
+      inflow_entered[side][side < 2 ? j : i] = sum;
+    }
   };
   for (int j = box.j0; j < box.j1; ++j) {
     const bool whole_row = j == 0 || j == g.ny;

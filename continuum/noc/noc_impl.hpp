@@ -74,6 +74,10 @@ struct NocSolver::Impl {
   bool set_inflow(double at);  // for the time given
   void lay_lines();
   void wet_inflow();
+  void put_inflow_right(double dt);
+  FlowState inflow_change(int side, int k, int cell, double dt);
+  int inflows_at(int i, int j) const;  // inflow sides of a cell
+  void add_inflow(int cell, const FlowState& change);
   CellBox window(int margin) const;       // the wet cells and so many around them
   bool half_step_to_corners(double tau);  // false: the CFL bound (3.22) would break on the corners
   void half_step_to_centres(double tau);
@@ -124,6 +128,8 @@ struct NocSolver::Impl {
   Lattice centres, corners;
   std::vector<Line> lines_x, lines_y;  // [2 * corner + which]
   std::array<Point, 4> inflow;         // what stands beyond an inflow side
+  std::array<std::vector<double>, 4> inflow_entered;  // [m] at each corner of an inflow side, in this step
+  std::array<std::vector<double>, 4> inflow_owed;     // [m] to each cell of it, still
   CellBox wet;                         // all cells that reach the dry depth lie in it
   bool scan = true;                    // wet is out of date
   std::optional<double> rate;          // of the present state; empty: the state has changed

@@ -12,7 +12,7 @@
 namespace couloir {
 namespace {
 
-constexpr std::uint64_t signature = 0x32636f6e6c756f63;  // changes with the layout
+constexpr std::uint64_t signature = 0x33636f6e6c756f63;  // changes with the layout
 
 void check(const SolverSettings& s, const ReferenceSurface& surface) {
   const auto require = [](bool good, const char* sentence) {
@@ -60,6 +60,12 @@ NocSolver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, 
       corners(Lattice::Kind::corners, settings, terrain),
       impulse(bed.obstacles.size()) {
   lay_lines();
+  for (int side = 0; side < 4; ++side) {
+    if (sides[side].kind != Side::Kind::inflow) continue;
+    const int cells = side < 2 ? s.grid.ny : s.grid.nx;
+    inflow_entered[side].assign(cells + 1, 0.0);
+    inflow_owed[side].assign(cells, 0.0);
+  }
 }
 
 void NocSolver::Impl::lay_lines() {
@@ -252,6 +258,9 @@ std::vector<std::uint8_t> NocSolver::checkpoint() const {
   for (const Impl::Gauge& g : m.gauges) put(g);
   put(static_cast<int>(m.boxes.size()));
   for (const noc::ControlBox& b : m.boxes) put(b);
+  for (const std::vector<double>& owed : m.inflow_owed) {
+    for (const double depth : owed) put(depth);
+  }
   put(m.budget);
   return std::move(put.bytes);
 }
@@ -278,6 +287,9 @@ void NocSolver::restore(const std::vector<std::uint8_t>& bytes) {
   for (Impl::Gauge& g : m.gauges) g = in.take<Impl::Gauge>();
   m.boxes.resize(in.take<int>());
   for (noc::ControlBox& b : m.boxes) b = in.take<noc::ControlBox>();
+  for (std::vector<double>& owed : m.inflow_owed) {
+    for (double& depth : owed) depth = in.take<double>();
+  }
   m.budget = in.take<Budget>();
   if (!in.done()) throw std::invalid_argument("The continuum's checkpoint is longer than its state; restore an earlier one.");
 }

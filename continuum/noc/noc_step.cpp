@@ -71,24 +71,6 @@ void NocSolver::Impl::refresh_state() {
   rate = fastest;
 }
 
-// What comes in at a time; an inflow that has run dry is a wall. False: as it was.
-bool NocSolver::Impl::set_inflow(double at) {
-  bool changed = false;
-  for (int side = 0; side < 4; ++side) {
-    if (sides[side].kind != Side::Kind::inflow) continue;
-    const InflowPoint p = inflow_at(sides[side], at);
-    Side& s = settings.sides[side];
-    const Side::Kind kind = p.depth > 0 ? Side::Kind::inflow : Side::Kind::wall;
-    changed = changed || s.kind != kind || s.depth != p.depth || s.velocity != p.velocity;
-    s.kind = kind, s.depth = p.depth, s.velocity = p.velocity;
-  }
-  if (changed) {
-    lay_lines();
-    wet_inflow();
-  }
-  return changed;
-}
-
 CellBox NocSolver::Impl::window(int margin) const {
   if (wet.empty()) return wet;
   const Grid& g = settings.grid;
@@ -132,6 +114,7 @@ void NocSolver::Impl::half_step_to_centres(double tau) {
   }
   collect(first);
   collect(rows);
+  put_inflow_right(2 * tau);
   cell_updates += count(corner_box) + count(cells);
   find_wet(cells);
 }
@@ -147,18 +130,6 @@ void NocSolver::Impl::find_wet(const CellBox& cells) {
   }
   wet = found;
   wet_inflow();
-}
-
-// An inflow wets its side.
-void NocSolver::Impl::wet_inflow() {
-  const Grid& g = settings.grid;
-  const CellBox edges[] = {{0, 1, 0, g.ny}, {g.nx - 1, g.nx, 0, g.ny}, {0, g.nx, 0, 1}, {0, g.nx, g.ny - 1, g.ny}};
-  for (int side = 0; side < 4; ++side) {
-    const Side& s = settings.sides[side];
-    if (s.kind != Side::Kind::inflow || s.depth < settings.dry_depth) continue;
-    const CellBox& b = edges[side];
-    wet = {std::min(wet.i0, b.i0), std::max(wet.i1, b.i1), std::min(wet.j0, b.j0), std::max(wet.j1, b.j1)};
-  }
 }
 
 void NocSolver::Impl::collect(const std::vector<RowSums>& rows) {
