@@ -30,7 +30,9 @@ void run(const Subject& subject, std::uint64_t seed) {
   for (int k = 0; k < solver.steps(); ++k) twin.step(twin.stable_dt());
   // At the foot of an elevation within a cell noc stirs up what should rest (docs/results/stability.md).
   const bool stirred = !subject.has_steps && !random.scene.bed.obstacles.empty();
-  demands.expect(what, stirred ? Bounds{std::numeric_limits<double>::infinity(), 10} : Bounds{});
+  // A film between cells whose beds differ by many depths may outrun them a little there.
+  const bool rough = !subject.has_steps && !random.scene.bed.elevation.empty();
+  demands.expect(what, stirred ? Bounds{std::numeric_limits<double>::infinity(), 10} : Bounds{2, rough ? 1.2 : 1});
   EXPECT_TRUE(same_mirrored(solver, twin)) << what;
 }
 
