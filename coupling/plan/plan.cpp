@@ -103,13 +103,9 @@ void warn_of_inflows(const Scene& scene, const auto& say) {
     const GreatestInflow q = greatest_inflow(scene, scene.sides[side]);
     const double froude = q.velocity / std::sqrt(scene.gravity * std::cos(scene.terrain.angle) * q.depth);
     if (froude < 1) {
-      say(fmt::format("The inflow {} is slower than its waves (Froude {:.2f}): the flow beyond decides what enters, which may be "
-                      "much more than depth times velocity; mass.entered tells.",
+      say(fmt::format("The inflow {} is slower than its waves (Froude {:.2f}): depth times velocity enters as stated, at the depth "
+                      "of the flow inside.",
                       names[side], froude));
-    } else if (scene.continuum.scheme == "noc") {
-      say(fmt::format("Scheme noc lets more in {} than stated until cells along the flow are much shorter than it speeds up in; "
-                      "mass.entered tells.",
-                      names[side]));
     }
   }
 }

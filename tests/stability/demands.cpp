@@ -7,6 +7,9 @@
 #include <cstdio>
 #include <map>
 
+#include "continuum/scheme/mobilisation.hpp"
+#include "continuum/solver.hpp"
+
 namespace couloir::test {
 
 void Worst::take(const Worst& w) {
@@ -86,15 +89,34 @@ double Demands::energy() const {
     const int i = int(c % nx);
     if (!(h_[c] > 0)) continue;
     sum += 0.5 * (hu_[c] * hu_[c] + hv_[c] * hv_[c]) / h_[c] + weight_[i] * h_[c] * (0.5 * k0_ * h_[c] + bed_[c]) +
-           case_.settings.gravity * h_[c] * height_[i];
+           case_.settings.gravity * h_[c] * height_[i] + stored(i, static_cast<int>(c) / nx);
   }
   return sum * case_.grid().dx * case_.grid().dy;
 }
 
-// What may feed E, per area of a cell: the weight's change along an arc, and the ramp of K in weak compression (decision 0004),
-// (K0 - K) p |du/dx| as long as K < K0.
+// What compression has stored in the earth pressure, per area: K follows the strain from K0 at the share x0 to K at x (decision
+// 0004), so p passive_strain (K_passive - K_active) (x - x0)^2 / 2 along each axis.
+double Demands::stored(int i, int j) const {
+  const auto* flow = dynamic_cast<const Solver*>(&solver_);
+  const EarthPressure& k = case_.settings.closure.earth_pressure;
+  if (flow == nullptr || k.is_hydraulic()) return 0;
+  const auto [kx, ky] = flow->earth_pressure(i, j);
+  const auto spring = [&](double k, double active, double passive) {
+    const double range = passive - active, x0 = std::clamp((k0_ - active) / range, 0.0, 1.0);
+    return range > 0 ? 0.5 * range * std::pow((k - active) / range - x0, 2) : 0.0;
+  };
+  const double x = (kx - k.x_active) / (k.x_passive - k.x_active);
+  const double along = spring(kx, k.x_active, k.x_passive);
+  const double across = spring(ky, k.ky_mobilised(x, 0), k.ky_mobilised(x, 1));
+  const double h = h_[std::size_t(j) * case_.grid().nx + i];
+  return 0.5 * weight_[i] * h * h * passive_strain * (along + across);
+}
+
+// What may feed E, per area of a cell: the weight's change along an arc; and with noc, which takes slow flow as active, (K0 - K)
+// p |du/dx| as long as K < K0.
 double Demands::supply() const {
   const Grid& g = case_.grid();
+  const bool remembers = dynamic_cast<const Solver*>(&solver_) != nullptr;
   const EarthPressure& k = case_.settings.closure.earth_pressure;
   const auto share = [&](double act, double pas) { return pas > act ? std::clamp((k0_ - act) / (pas - act), 0.0, 1.0) : 0.0; };
   const double sx = share(k.x_active, k.x_passive);
@@ -107,7 +129,7 @@ double Demands::supply() const {
       const double h = h_[c];
       if (!(h > 0)) continue;
       sum += 0.5 * k_most_ * arc_[i] * h * std::max(0.0, hu_[c]);
-      if (kx == 0 && ky == 0) continue;
+      if (remembers || (kx == 0 && ky == 0)) continue;
       const double ramp = 0.2 * std::sqrt(weight_[i] * h), p = 0.5 * weight_[i] * h * h;
       sum += p * ramp * (kx * sx / (2 * g.dx) + ky * sy / (2 * g.dy));
     }

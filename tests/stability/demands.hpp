@@ -44,6 +44,7 @@ class Demands {
  private:
   void look(double dt);
   double energy() const;
+  double stored(int i, int j) const;
   double supply() const;
 
   const Case& case_;
