@@ -208,6 +208,7 @@ void add_inflow(Keys& k, const std::string& path, int side) {
   table.kind = ValueKind::table;
   table.help = "rows [time, depth, velocity], times rising; linear between them, nothing before the first and after the last";
   table.columns = {time, length, velocity};
+  table.column_names = {"time", "depth", "velocity"};
   table.bounds = {0, 1e6, false};
   table.presence = Presence::required;
   table.selector = "kind";
