@@ -139,7 +139,9 @@ struct Listing {
       const SideSpec& spec = s.sides[side];
       if (spec.kind != SideSpec::Kind::inflow) continue;
       const GreatestInflow q = greatest_inflow(s, spec);
-      const char* how = spec.inflow == SideSpec::Inflow::silo ? " from a silo's gate (velocity by Beverloo's law: assumed)"
+      const char* silo = s.material.diameter > 0 ? " from a silo's gate (velocity by Beverloo's law: assumed)"
+                                                 : " from a silo's gate (velocity by Beverloo's law with d = 0: assumed)";
+      const char* how = spec.inflow == SideSpec::Inflow::silo         ? silo
                         : spec.inflow == SideSpec::Inflow::hydrograph ? " at most, by a hydrograph"
                                                                       : "";
       all.push_back(fmt::format("{}: {} deep at {:.6g} m/s{}", sides[side], len(q.depth), q.velocity, how));

@@ -103,11 +103,13 @@ void warn_of_inflows(const Scene& scene, const auto& say) {
     const GreatestInflow q = greatest_inflow(scene, scene.sides[side]);
     const double froude = q.velocity / std::sqrt(scene.gravity * std::cos(scene.terrain.angle) * q.depth);
     if (froude < 1) {
-      say(fmt::format("The inflow {} is slower than its waves (Froude {:.2f}): the flow beyond decides what enters, which may be "
+      say(
+          fmt::format("The inflow {} is slower than its waves (Froude {:.2f}): the flow beyond decides what enters, which may be "
                       "much more than depth times velocity; mass.entered tells.",
                       names[side], froude));
     } else if (scene.continuum.scheme == "noc") {
-      say(fmt::format("Scheme noc lets more in {} than stated until cells along the flow are much shorter than it speeds up in; "
+      say(
+          fmt::format("Scheme noc lets more in {} than stated until cells along the flow are much shorter than it speeds up in; "
                       "mass.entered tells.",
                       names[side]));
     }
@@ -118,6 +120,7 @@ void warn(Plan& plan, const Scene& scene) {
   const auto say = [&](std::string text) { plan.warnings.push_back(std::move(text)); };
   warn_of_absence(plan, scene, say);
   warn_of_inflows(scene, say);
+  for (const std::string& assumed : inflow_assumptions(scene)) say(assumed);
   if (plan.memory > machine_memory())
     say(fmt::format("This machine has {:.3g} GB: the run would be refused.", machine_memory() * 1e-9));
   if (scene.mode == Mode::continuum) return;

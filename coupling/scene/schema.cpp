@@ -227,7 +227,7 @@ void add_inflow(Keys& k, const std::string& path, int side) {
   k.add(number(
             path + ".gate", length,
             "opening of a silo's gate, the depth of the flow from it; assumed: discharge 1.03 sqrt(g) (gate - 1.4 d)^1.5 a metre "
-            "of width (Beverloo, slot), d the material's diameter",
+            "of width (Beverloo, slot), d the material's diameter (without one: 0, told as a warning)",
             at(&SideSpec::gate))
             .above(0)
             .required()

@@ -105,9 +105,11 @@ TEST(Effects, WhatTheSceneLeavesWithoutEffect) {
 
 TEST(Effects, OfTwoInflows) {
   const Scene s = experiment("silo_wedge", {{"boundaries.left", "{inflow: {depth: 10 mm, velocity: 1}}"}});
-  expect(
-      s, "inflow", true,
-      "upstream: 9 mm deep at 0.30605 m/s from a silo's gate (velocity by Beverloo's law: assumed); left: 10 mm deep at 1 m/s");
+  expect(s, "inflow", true,
+         "upstream: 9 mm deep at 0.30605 m/s from a silo's gate (velocity by Beverloo's law with d = 0: assumed); left: 10 mm "
+         "deep at 1 m/s");
+  const Scene known = experiment("silo_wedge", {{"material", "vestolen"}, {"boundaries.upstream.inflow.gate", "18 mm"}});
+  expect(known, "inflow", true, "upstream: 18 mm deep at 0.247475 m/s from a silo's gate (velocity by Beverloo's law: assumed)");
 }
 
 // In mode coupled an obstacle is what its surroundings are: solid among grains, else what its method says.
