@@ -315,7 +315,10 @@ void add_grains(Keys& k) {
 
 void add_record(Keys& k) {
   k.add(mapping("record", "what is written and how often"));
-  k.add(number("record.frames", time, "between frames", COULOIR_AT(record.frames)).above(0));
+  k.add(number("record.frames", time,
+               "between frames; they show no velocity up to 1e-5 of the greatest depth of release and inflows",
+               COULOIR_AT(record.frames))
+            .above(0));
   k.add(number("record.forces", time, "between rows of forces.csv, at least", COULOIR_AT(record.forces)).above(0));
   const auto gauge = [](auto& s, int i) {
     auto& g = s.record.gauges[i];
@@ -326,7 +329,9 @@ void add_record(Keys& k) {
     return std::tie(g.length, g.width);
   };
   k.add(named(
-      "record.gauges", "places where depth and velocity of the flow are recorded; modes continuum and coupled",
+      "record.gauges",
+      "places where depth and velocity of the flow are recorded; it has arrived with 1 % of the greatest depth of release and "
+      "inflows; modes continuum and coupled",
       [](auto& s) -> auto& { return s.record.gauges; }));
   k.add(numbers("record.gauges.*.position", length, "[x, y]; between cell centres the flow is interpolated", gauge).required());
   k.add(numbers("record.gauges.*.size", length,
