@@ -77,8 +77,7 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
 void Solver::Impl::step(double dt) {
   if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
   dt = std::min(dt, stable_dt());
-  double row = next_row(settings.sides[0], time);
-  for (const Side& side : settings.sides) row = std::min(row, next_row(side, time));
+  const double row = next_row(settings.sides, time);
   double end = row - time <= dt ? row : time + dt;
   dt = std::min(dt, row - time);
   for (int halvings = 0;; ++halvings) {
@@ -386,7 +385,6 @@ FlowState Solver::Impl::get(int i, int j) const {
   const Fields& q = states[place.block].now;
   return {q.h[place.cell], q.hu[place.cell], q.hv[place.cell]};
 }
-
 
 void Solver::Impl::put_passive(int i, int j, const std::array<double, 2>& share) {
   if (!with_earth_pressure(parameters)) return;

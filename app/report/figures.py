@@ -16,14 +16,15 @@ MM = 1e3
 @cache
 def wet_depth(run):
     """[m] above which a cell counts as flow in the pictures."""
-    return max(1e-5, 0.25 * run.diameter if run.mode != "continuum" else 0, 0.01 * deepest(run))
+    return max(0.25 * run.diameter if run.mode != "continuum" else 0, 0.01 * deepest(run))
 
 
 @cache
 def deepest(run, share=99.8):
     """[m] a robust largest depth, so that one splash does not take the colours from all the rest."""
     depths = [run.depth(frame)[2] for frame in pick(run.frames, 12)]
-    wet = np.concatenate([h[h > 1e-5] for h in depths])
+    most = max(float(h.max()) for h in depths)
+    wet = np.concatenate([h[h > 1e-4 * most] for h in depths])
     return float(np.percentile(wet, share)) if wet.size else 1e-3
 
 

@@ -34,6 +34,12 @@ double next_row(const Side& side, double time) {
   return next;
 }
 
+double next_row(const std::array<Side, 4>& sides, double time) {
+  double next = std::numeric_limits<double>::infinity();
+  for (const Side& side : sides) next = std::min(next, next_row(side, time));
+  return next;
+}
+
 double fastest_inflow(const Side& side, double gravity, double time) {
   const auto signal = [&](const InflowPoint& p) { return p.depth > 0 ? p.velocity + std::sqrt(gravity * p.depth) : 0.0; };
   double fastest = signal(inflow_at(side, time));

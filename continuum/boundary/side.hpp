@@ -1,6 +1,7 @@
 #pragma once
 // What a side of the domain does to the flow.
 
+#include <array>
 #include <vector>
 
 namespace couloir {
@@ -27,8 +28,9 @@ enum class Moment { before, after };
 // What comes in at a time [s]; its time is that time. Nothing: depth and velocity 0.
 InflowPoint inflow_at(const Side&, double time, Moment = Moment::after);
 
-// [s] the first row of a hydrograph after a time; infinity where there is none. No step should reach over it.
+// [s] the first row of a hydrograph after a time, of a side or of all; infinity: there is none. No step should reach over it.
 double next_row(const Side&, double time);
+double next_row(const std::array<Side, 4>&, double time);
 
 // [m/s] the greatest velocity + sqrt(g h) of an inflow from a time on; 0 where nothing more comes.
 double fastest_inflow(const Side&, double gravity, double time);

@@ -17,9 +17,10 @@ constexpr double round_off = 1e-10;
 
 }  // namespace
 
-Lattice::Lattice(Kind kind, const SolverSettings& s, const Terrain& terrain)
+Lattice::Lattice(Kind kind, const SolverSettings& s, const NocSettings& own, const Terrain& terrain)
     : kind_(kind),
       s_(s),
+      own_(own),
       terrain_(terrain),
       nx_(s.grid.nx + (kind == Kind::corners ? 1 : 0)),
       ny_(s.grid.ny + (kind == Kind::corners ? 1 : 0)) {
@@ -94,7 +95,7 @@ void Lattice::find_earth_pressure(int c, double wave) {
   const auto above_noise = [&](double d) { return std::abs(d) > noise ? d : 0.0; };
   const double du = above_noise(difference(u_, 1)), dv = above_noise(difference(v_, r));
   // What hardly moves is as good as at rest, and what rests is active.
-  const double slowest = s_.creeping_froude * s_.creeping_froude * wave;
+  const double slowest = own_.creeping_froude * own_.creeping_froude * wave;
   const bool slow = u_[c] * u_[c] + v_[c] * v_[c] < slowest;
   kx_[c] = k.kx(slow ? 0.0 : du);
   ky_[c] = k.ky(slow ? 0.0 : du, slow ? 0.0 : dv);
@@ -123,7 +124,7 @@ void Lattice::prepare_row(int j, int i0, int i1, double tau) {
     }
     if (p.q.h >= s_.dry_depth) {
       const auto slope = [&](const std::vector<double>& momentum, const std::vector<double>& velocity, int s, double rise) {
-        if (!s_.velocity_slopes) return 0.25 * S::slope(&momentum[c], s);
+        if (!own_.velocity_slopes) return 0.25 * S::slope(&momentum[c], s);
         return p.q.h * (0.25 * S::slope(&velocity[c], s)) + velocity[c] * rise;
       };
       p.x.hu = slope(q.hu, u_, 1, p.x.h), p.x.hv = slope(q.hv, v_, 1, p.x.h);

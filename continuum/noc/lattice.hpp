@@ -12,6 +12,7 @@
 #include "continuum/flow/closure.hpp"
 #include "continuum/flow_model.hpp"
 #include "continuum/mesh/block.hpp"
+#include "continuum/noc/noc_settings.hpp"
 #include "continuum/noc/terrain.hpp"
 
 namespace couloir::noc {
@@ -36,7 +37,7 @@ class Lattice {
   enum class Kind { centres, corners };
   static constexpr int ghosts = 2;
 
-  Lattice(Kind, const SolverSettings&, const Terrain&);
+  Lattice(Kind, const SolverSettings&, const NocSettings&, const Terrain&);
 
   int nx() const { return nx_; }
   int ny() const { return ny_; }
@@ -69,6 +70,7 @@ class Lattice {
 
   Kind kind_;
   const SolverSettings& s_;
+  NocSettings own_;
   const Terrain& terrain_;
   int nx_, ny_;
   std::vector<double> u_, v_, kx_, ky_;

@@ -65,7 +65,7 @@ struct NocSolver::Impl {
     std::array<double, 2> friction{}, cutoff{};  // what they took, with its sign
   };
 
-  Impl(const SolverSettings&, const ReferenceSurface&, const NocBed&);
+  Impl(const SolverSettings&, const ReferenceSurface&, const NocBed&, const NocSettings&);
 
   void step(double dt);
   double stable_dt();

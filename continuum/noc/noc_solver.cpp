@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t signature = 0x33636f6e6c756f63;  // changes with the layout
 
-void check(const SolverSettings& s, const ReferenceSurface& surface) {
+void check(const SolverSettings& s, const NocSettings& own, const ReferenceSurface& surface) {
   const auto require = [](bool good, const char* sentence) {
     if (!good) throw std::invalid_argument(sentence);
   };
@@ -26,7 +26,7 @@ void check(const SolverSettings& s, const ReferenceSurface& surface) {
           "The CFL number of the scheme noc must be above 0 and at most 0.5, equation (3.22); lower continuum.cfl.");
   require(s.dry_depth > 0, "The dry depth must be positive; correct the settings.");
   require(s.threads >= 1, "The continuum needs at least one thread; correct the number of threads.");
-  require(s.creeping_froude >= 0, "The Froude number of creep must not be negative; correct the settings.");
+  require(own.creeping_froude >= 0, "The Froude number of creep must not be negative; correct the settings.");
   require(s.closure.tan_delta >= 0, "The basal friction must not be negative; correct the material.");
   require(!(surface.curved() && s.sides[0].kind == Side::Kind::periodic),
           "A surface with an arc cannot be periodic along the slope; choose other sides upstream and downstream.");
@@ -52,12 +52,12 @@ void require_cell(const Grid& g, int i, int j) {
 
 }  // namespace
 
-NocSolver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, const NocBed& bed)
-    : settings((check(s, surface), s)),
+NocSolver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, const NocBed& bed, const NocSettings& own)
+    : settings((check(s, own, surface), s)),
       sides(s.sides),
       terrain(s.grid, surface, bed, s.gravity, s.closure.curvature),
-      centres(Lattice::Kind::centres, settings, terrain),
-      corners(Lattice::Kind::corners, settings, terrain),
+      centres(Lattice::Kind::centres, settings, own, terrain),
+      corners(Lattice::Kind::corners, settings, own, terrain),
       impulse(bed.obstacles.size()) {
   lay_lines();
   for (int side = 0; side < 4; ++side) {
@@ -107,8 +107,8 @@ FlowState NocSolver::Impl::get(int i, int j) const {
   return {centres.q.h[c], centres.q.hu[c], centres.q.hv[c]};
 }
 
-NocSolver::NocSolver(const SolverSettings& settings, const ReferenceSurface& surface, const NocBed& bed)
-    : impl_(std::make_unique<Impl>(settings, surface, bed)) {}
+NocSolver::NocSolver(const SolverSettings& settings, const ReferenceSurface& surface, const NocBed& bed, const NocSettings& own)
+    : impl_(std::make_unique<Impl>(settings, surface, bed, own)) {}
 NocSolver::~NocSolver() = default;
 NocSolver::NocSolver(NocSolver&&) noexcept = default;
 

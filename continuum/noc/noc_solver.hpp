@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "continuum/flow_model.hpp"
+#include "continuum/noc/noc_settings.hpp"
 #include "continuum/noc/terrain.hpp"
 
 namespace couloir {
@@ -16,7 +17,7 @@ namespace couloir {
 class NocSolver final : public FlowModel {
  public:
   // Throws std::invalid_argument where the settings do not fit, a CFL number above 1/2 (3.22) among them.
-  NocSolver(const SolverSettings&, const ReferenceSurface&, const NocBed&);
+  NocSolver(const SolverSettings&, const ReferenceSurface&, const NocBed&, const NocSettings& = {});
   ~NocSolver() override;
   NocSolver(NocSolver&&) noexcept;
 

@@ -24,8 +24,7 @@ std::int64_t count(const CellBox& b) {
 void NocSolver::Impl::step(double dt) {
   if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
   dt = std::min(dt, stable_dt());
-  double row = next_row(sides[0], time);
-  for (const Side& side : sides) row = std::min(row, next_row(side, time));
+  const double row = next_row(sides, time);
   double end = row - time <= dt ? row : time + dt;
   dt = std::min(dt, row - time);
   // A pair sees the inflow of its middle.

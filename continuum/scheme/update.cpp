@@ -1,9 +1,10 @@
 #include "continuum/scheme/update.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
+#include <utility>
 
 #include "continuum/flow/flux.hpp"
 #include "continuum/flow/friction.hpp"
@@ -38,8 +39,13 @@ inline Halves halves(double lower, double upper, bool lower_locked, bool upper_l
   return {free_lower + free_upper, (lower - free_lower) + (upper - free_upper)};
 }
 
-template <StageName stage, bool keep_losses, bool friction, bool earth_pressure, bool sources>
+// What a row's kernel does is told by the bits of one number.
+constexpr unsigned keeps_losses = 1, has_friction = 2, has_earth_pressure = 4, has_sources = 8, kernel_count = 16;
+
+template <StageName stage, unsigned does>
 void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, double dt, int j) {
+  constexpr bool keep_losses = does & keeps_losses, friction = does & has_friction, earth_pressure = does & has_earth_pressure,
+                 sources = does & has_sources;
   const int row = b.row(), begin = b.at(0, j);
   const double per_dx = 1 / p.grid.dx, per_dy = 1 / p.grid.dy, mu = p.closure.tan_delta, dry = p.dry_depth;
   double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data();
@@ -139,25 +145,22 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
 
 using Row = void (*)(const Parameters&, const Block&, BlockState&, Scratch&, double dt, int j);
 
-// The row's kernel for what is asked at run time.
-template <StageName stage, bool... given>
-Row chosen(std::initializer_list<bool> asked) {
-  if constexpr (sizeof...(given) == 4) {
-    return update_row<stage, given...>;
-  } else {
-    const bool next = asked.begin()[sizeof...(given)];
-    return next ? chosen<stage, given..., true>(asked) : chosen<stage, given..., false>(asked);
-  }
+template <StageName stage, unsigned... does>
+constexpr std::array<Row, kernel_count> kernels(std::integer_sequence<unsigned, does...>) {
+  return {update_row<stage, does>...};
 }
+// By stage and by what they do.
+constexpr auto predictors = kernels<StageName::predictor>(std::make_integer_sequence<unsigned, kernel_count>());
+constexpr auto correctors = kernels<StageName::corrector>(std::make_integer_sequence<unsigned, kernel_count>());
 
 }  // namespace
 
 void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, StageName stage, double dt, bool sources,
             bool keep_losses, Tally& t) {
   clear(w.columns, b.nx);
-  const auto row = stage == StageName::predictor
-                       ? chosen<StageName::predictor>({keep_losses, with_friction(p), with_earth_pressure(p), sources})
-                       : chosen<StageName::corrector>({keep_losses, with_friction(p), with_earth_pressure(p), sources});
+  const unsigned does = (keep_losses ? keeps_losses : 0) | (with_friction(p) ? has_friction : 0) |
+                        (with_earth_pressure(p) ? has_earth_pressure : 0) | (sources ? has_sources : 0);
+  const Row row = (stage == StageName::predictor ? predictors : correctors)[does];
   for (int j = 0; j < b.ny; ++j) row(p, b, s, w, dt, j);
   const double area = p.grid.dx * p.grid.dy;
   t.budget.gravity[0] += area * sum(w.columns[gravity_x]);

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "coupling/check/check_text.hpp"
 #include "coupling/scene/scene_error.hpp"
 
 namespace couloir {
@@ -19,13 +20,24 @@ struct Task {
   const CheckCase* one;
 };
 
+// Steps such as 0.1 do not add up exactly; the text is what the file would say.
+std::string value_text(const Search& search, double value) {
+  return fmt::format("{:.10g}{}{}", value, search.unit.empty() ? "" : " ", search.unit);
+}
+
 Overrides with(Overrides set, const Search& search, double value) {
-  // Steps such as 0.1 do not add up exactly; the text is what the file would say.
-  std::string text = fmt::format("{:.10g}", value);
-  if (!search.unit.empty()) text += " " + search.unit;
+  const std::string text = value_text(search, value);
   const auto at = search.form.find("{}");
   set.emplace_back(search.key, search.form.substr(0, at) + text + search.form.substr(at + 2));
   return set;
+}
+
+long steps_of(const Search& search) {
+  return std::lround(std::floor((search.to - search.from) / search.step + 1e-9));
+}
+
+double last_value(const Search& search) {
+  return search.from + static_cast<double>(steps_of(search)) * search.step;
 }
 
 // The scenes that a case will run, read now so that an error in one of them comes before hours of work.
@@ -75,18 +87,19 @@ std::vector<Finding> judged(const Task& task, RunPool& pool) {
     return findings;
   }
   std::string failure;
-  const double value = smallest_good(*c.search, [&](double at) {
-    if (!failure.empty()) return false;
+  const auto quantity_at = [&](double at) {
     const CheckedRun run = pool.run(c.scene, with(c.set, *c.search, at));
     failure = run.failure;
-    return failure.empty() &&
-           summary_value(run.summary, c.search->quantity, c.place) <= c.search->bound * c.search->bound_unit.si;
-  });
+    return failure.empty() ? summary_value(run.summary, c.search->quantity, c.place) : std::numeric_limits<double>::quiet_NaN();
+  };
+  const double value = smallest_good(
+      *c.search, [&](double at) { return failure.empty() && quantity_at(at) <= c.search->bound * c.search->bound_unit.si; });
   for (Finding& f : findings) judge(f, value * f.expectation.unit.si);
-  if (!failure.empty())
-    fail(findings, failure);
-  else if (std::isnan(value))
-    fail(findings, fmt::format("no value up to {} is enough", c.search->to));
+  if (std::isnan(value) && failure.empty()) {
+    const double low = quantity_at(c.search->from), high = failure.empty() ? quantity_at(last_value(*c.search)) : low;
+    if (failure.empty()) fail(findings, why_none_is_good(*c.search, low, high));
+  }
+  if (!failure.empty()) fail(findings, failure);
   return findings;
 }
 
@@ -94,13 +107,25 @@ std::vector<Finding> judged(const Task& task, RunPool& pool) {
 
 double smallest_good(const Search& search, const std::function<bool(double)>& good) {
   const auto at = [&](long n) { return search.from + static_cast<double>(n) * search.step; };
-  long good_at = std::lround(std::floor((search.to - search.from) / search.step + 1e-9)), bad_at = -1;
+  long good_at = steps_of(search), bad_at = -1;
   if (!good(at(good_at))) return std::numeric_limits<double>::quiet_NaN();
   while (good_at - bad_at > 1) {
     const long middle = bad_at + (good_at - bad_at) / 2;
     (good(at(middle)) ? good_at : bad_at) = middle;
   }
   return at(good_at);
+}
+
+std::string why_none_is_good(const Search& search, double low, double high) {
+  const auto seen = [&](double si, double at) {
+    const std::string value = std::isnan(si) ? "null" : with_unit(si / search.bound_unit.si, search.bound_unit);
+    return fmt::format("{} at {}", value, value_text(search, at));
+  };
+  const bool rises = low <= search.bound * search.bound_unit.si;
+  return fmt::format("{} is {} and {} of {}: {} its bound of {}{}", search.quantity, seen(low, search.from),
+                     seen(high, last_value(search)), search.key, rises ? "only the upper end misses" : "both ends miss",
+                     with_unit(search.bound, search.bound_unit),
+                     rises ? ", but a search needs a quantity that falls as the key rises" : "; search elsewhere");
 }
 
 std::vector<Finding> check_experiments(const std::vector<Expected>& experiments, RunPool& pool, const std::string& materials,

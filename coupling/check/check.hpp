@@ -20,8 +20,11 @@ struct CheckSettings {
 std::vector<Finding> check_experiments(const std::vector<Expected>&, RunPool&, const std::string& materials,
                                        const CheckSettings&);
 
-// The value of a search: the first n on the grid from, from + step, ... with good(n), found by halving; NaN where none is good.
-// The quantity must fall as the value rises: then bad values lie below good ones.
+// The value of a search: the first n on the grid from, from + step, ... with good(n), found by halving; NaN where the last is
+// not good. The quantity must fall as the value rises: then bad values lie below good ones.
 double smallest_good(const Search&, const std::function<bool(double value)>& good);
+
+// Why there is none, from the quantity (SI; NaN: null) at the search's lowest and highest value.
+std::string why_none_is_good(const Search&, double low, double high);
 
 }  // namespace couloir

@@ -53,32 +53,36 @@ std::vector<std::string> all_names() {
   return names;
 }
 
-CheckUnit named_unit(std::string_view name) {
+// `whole` is the text that the name stands in.
+CheckUnit named_unit(std::string_view name, std::string_view whole) {
   for (const Own& unit : own_units)
     if (name == unit.name) return {std::string(name), unit.quantity, unit.times / unit.over};
   for (const Dimension d : dimensions)
     for (const std::string& known : units_of(d))
       if (name == known) return {known, describe(d), parse_quantity("1 " + known, d)};
-  throw std::invalid_argument(
-      fmt::format("has the unit '{}', which is unknown{}", name, suggestion(name, all_names(), "units are")));
+  const std::string what = name == whole ? "which" : fmt::format("but '{}'", name);
+  throw std::invalid_argument(fmt::format("is '{}', {} is no unit{}", whole, what, suggestion(name, all_names(), "there are")));
+}
+
+CheckUnit unit_in(std::string_view text, std::string_view whole) {
+  if (text.empty()) return {};
+  for (const Own& unit : own_units)
+    if (text == unit.name) return named_unit(text, whole);
+  double number = 1;
+  std::string_view name;
+  if (!split(text, number, name)) return named_unit(text, whole);
+  if (name.empty() || !(number > 0))
+    throw std::invalid_argument(fmt::format("is '{}', but a unit is a name such as N, or a length such as 33.33 mm", whole));
+  CheckUnit unit = named_unit(name, whole);
+  unit.text = text;
+  unit.si *= number;
+  return unit;
 }
 
 }  // namespace
 
 CheckUnit parse_check_unit(std::string_view text) {
-  const std::string_view whole = trimmed(text);
-  if (whole.empty()) return {};
-  for (const Own& unit : own_units)
-    if (whole == unit.name) return named_unit(whole);
-  double number = 1;
-  std::string_view name;
-  if (!split(whole, number, name)) return named_unit(whole);
-  if (name.empty() || !(number > 0))
-    throw std::invalid_argument(fmt::format("is '{}', but a unit is a name such as N, or a length such as 33.33 mm", whole));
-  CheckUnit unit = named_unit(name);
-  unit.text = whole;
-  unit.si *= number;
-  return unit;
+  return unit_in(trimmed(text), trimmed(text));
 }
 
 std::pair<double, CheckUnit> parse_check_value(std::string_view text) {
@@ -86,7 +90,17 @@ std::pair<double, CheckUnit> parse_check_value(std::string_view text) {
   std::string_view name;
   if (!split(text, number, name))
     throw std::invalid_argument(fmt::format("is '{}', but must be a number with a unit, such as 4170 N", trimmed(text)));
-  return {number, parse_check_unit(name)};
+  return {number, unit_in(name, trimmed(text))};
+}
+
+std::vector<std::string> units_of_quantity(std::string_view quantity) {
+  std::vector<std::string> names;
+  for (const Own& unit : own_units)
+    if (quantity == unit.quantity) names.emplace_back(unit.name);
+  for (const Dimension d : dimensions)
+    if (quantity == describe(d))
+      for (const std::string& name : units_of(d)) names.push_back(name);
+  return names;
 }
 
 std::string quantity_of_path(std::string_view path) {

@@ -97,8 +97,9 @@ class Reader {
   void refuse_unknown_variant(const Node& at, const std::string& name) const {
     std::vector<std::string> all;
     for (const auto& [known, set] : variants_) all.push_back(known);
-    if (std::ranges::count(all, name) == 0)
-      throw SceneError(fmt::format("{}: '{}' is no variant of this file{}", at.place, name, suggestion(name, all, "there are")));
+    if (std::ranges::count(all, name) > 0) return;
+    const std::string known = all == std::vector<std::string>{""} ? ", which names none" : suggestion(name, all, "there are");
+    throw SceneError(fmt::format("{}: '{}' is no variant of this file{}", at.place, name, known));
   }
 
   template <class F>
@@ -159,8 +160,9 @@ class Reader {
     if (path.find(" / ") != std::string::npos || path == "critical") return;
     const std::string wanted = quantity_of_path(path);
     if (wanted.empty() || unit.quantity == wanted || (wanted == "a plain number" && unit.quantity.empty())) return;
-    throw SceneError(fmt::format("{}: {} has {}, but {} is {}", at.place, name,
-                                 unit.text.empty() ? "no unit" : fmt::format("the unit {}", unit.text), path, wanted));
+    throw SceneError(fmt::format("{}: {} {}, but {}is {}; write {}", at.place, name,
+                                 unit.text.empty() ? "has no unit" : fmt::format("is in {}", unit.text),
+                                 name == path ? "" : path + " ", wanted, fmt::join(units_of_quantity(wanted), ", ")));
   }
 
   Tolerance tolerance(const ExpectedFields& f, const std::string& variant, const CheckUnit& unit) const {
@@ -193,6 +195,11 @@ class Reader {
     }
     require_unit(given, out.quantity, out.quantity, out.unit);
     out.tolerance = tolerance(f, variant, out.unit);
+    if (out.value == 0 && out.tolerance.kind == Tolerance::Kind::relative)
+      throw SceneError(
+          fmt::format("{}: {} is expected to be 0, of which every share is 0, but its tolerance is {:g} %; give a "
+                      "number without %, in the unit of the value, or none",
+                      given.place, out.quantity, 100 * out.tolerance.size));
     out.evidence = f.text("evidence", evidence);
     if (std::ranges::count(evidences, out.evidence) == 0) {
       const Node& at = f.find("evidence") ? f.need("evidence") : node;

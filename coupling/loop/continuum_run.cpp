@@ -11,6 +11,7 @@
 #include "coupling/loop/saved_state.hpp"
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/plan.hpp"
+#include "coupling/scene/depths.hpp"
 
 namespace couloir {
 namespace {

@@ -12,6 +12,7 @@
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/plan.hpp"
 #include "coupling/plan/release.hpp"
+#include "coupling/scene/depths.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/transfer/domain_edge.hpp"
 #include "coupling/transfer/zone.hpp"

@@ -6,6 +6,7 @@
 #include "continuum/errors.hpp"
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/plan/build.hpp"
+#include "coupling/scene/inflow.hpp"
 
 namespace couloir {
 namespace {
@@ -57,6 +58,7 @@ RunEnd ModeRun::go() {
     for (Observer* o : observers_) o->on_start(begin);
     started_ = true;
     for (const Event& event : early_) tell(event);
+    for (const std::string& assumed : inflow_assumptions(scene_)) tell(0, "warning: " + assumed);
     Schedule frames(scene_.record.frames);
     long frame_index = 0;
     const auto show = [&](double time) {

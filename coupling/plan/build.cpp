@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "coupling/engine/packing.hpp"
+#include "coupling/scene/depths.hpp"
 #include "coupling/scene/inflow.hpp"
-#include "coupling/scene/release_shape.hpp"
 
 namespace couloir {
 namespace {
@@ -17,18 +17,6 @@ double short_mantissa(double value) {
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);
   return std::ldexp(std::nearbyint(std::ldexp(mantissa, 40)), exponent - 40);
-}
-
-// Of the greatest depth: a film thinner than that carries mass but no momentum. A share, so that a scene in other units gives the
-// same numbers. Records show no velocity of what is a little thicker.
-constexpr double dry_share = 1e-6, thin_share = 1e-5;
-
-double greatest_depth(const Scene& scene) {
-  double depth = deepest(scene);
-  for (const SideSpec& side : scene.sides) {
-    if (side.kind == SideSpec::Kind::inflow) depth = std::max(depth, greatest_inflow(scene, side).depth);
-  }
-  return depth;
 }
 
 Limiter limiter_of(const std::string& word) {
@@ -100,12 +88,8 @@ SolverSettings solver_settings(const Scene& scene) {
   settings.limiter = limiter_of(scene.continuum.limiter);
   std::ranges::transform(scene.sides, settings.sides.begin(), [&](const SideSpec& s) { return side_of(scene, s); });
   settings.cfl = scene.continuum.cfl;
-  settings.dry_depth = dry_share * greatest_depth(scene);
+  settings.dry_depth = dry_depth(scene);
   return settings;
-}
-
-double thin_depth(const Scene& scene) {
-  return thin_share * greatest_depth(scene);
 }
 
 StepBed step_bed(const Scene& scene) {

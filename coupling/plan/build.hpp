@@ -14,8 +14,6 @@ namespace couloir {
 Grid grid_of(const Scene&);
 
 SolverSettings solver_settings(const Scene&);
-// [m] Up to here records show no velocity: a share of the greatest depth of release and inflow.
-double thin_depth(const Scene&);
 // z_b(x, y) of the obstacles by method elevation, each by its number in the scene.
 Elevation elevation(const Scene&);
 // central_upwind: steps, and the elevation sampled at the cell centres of grid_of().

@@ -85,51 +85,50 @@ struct Listing {
   std::vector<std::string> bodies(ObstacleSpec::Method method) const {
     std::vector<std::string> names;
     for (const ObstacleSpec& o : s.obstacles) {
-      if (o.method == method && !among_grains(o)) names.push_back(body(o));
+      if (o.method != method || among_grains(o)) continue;
+      const bool of_planes = method == ObstacleSpec::Method::planes;
+      names.push_back(body(o) + (of_planes ? fmt::format(", eta {:g}", o.eta) : ""));
     }
     return names;
   }
 
-  // Why no obstacle is there by this method.
-  std::string no_bodies(ObstacleSpec::Method method, const char* none) const {
+  // Each obstacle is in one of the four effects: what its method says, or solid where grains carry the flow around it.
+  Effect by_method(const char* name, ObstacleSpec::Method method, const char* how, const char* none) const {
+    const auto names = bodies(method);
+    if (!names.empty()) return {name, true, fmt::format("{}: {}", how, fmt::join(names, ", "))};
     const bool given = std::ranges::any_of(s.obstacles, [&](const ObstacleSpec& o) { return o.method == method; });
-    if (!given) return none;
-    return continuum ? "grains of the zone meet the obstacles as solid bodies"
-                     : mode + ": grains meet the obstacles as solid bodies";
+    if (!given) return {name, false, none};
+    return {name, false,
+            continuum ? "grains of the zone meet the obstacles as solid bodies"
+                      : mode + ": grains meet the obstacles as solid bodies"};
+  }
+
+  Effect steps_of_the_bed() const {
+    return by_method("steps_of_the_bed", ObstacleSpec::Method::step, "the bed jumps, nothing flows through",
+                     "no obstacle is a step of the bed");
   }
 
   Effect elevation() const {
-    constexpr auto method = ObstacleSpec::Method::elevation;
-    const auto names = bodies(method);
-    if (names.empty()) return {"elevation", false, no_bodies(method, "no obstacle is an elevation of the bed")};
-    return {"elevation", true, fmt::format("bed heights of obstacles, (4.4)-(4.9): {}", fmt::join(names, ", "))};
+    return by_method("elevation", ObstacleSpec::Method::elevation, "bed heights of obstacles, (4.4)-(4.9)",
+                     "no obstacle is an elevation of the bed");
   }
 
   Effect planes() const {
-    constexpr auto method = ObstacleSpec::Method::planes;
-    const auto names = bodies(method);
-    if (names.empty()) return {"planes", false, no_bodies(method, "no obstacle is made of planes")};
-    return {"planes", true, fmt::format("flows of their own on the planes of {}", fmt::join(names, ", "))};
+    return by_method("planes", ObstacleSpec::Method::planes, "flows of their own on five planes",
+                     "no obstacle is made of planes");
   }
 
-  Effect obstacles() const {
-    if (s.obstacles.empty()) return {"obstacles", false, "the scene has none"};
-    std::vector<std::string> kinds, solid;
-    const auto add = [&](const std::string& kind, const std::vector<std::string>& names) {
-      if (!names.empty()) kinds.push_back(fmt::format("{}: {}", kind, fmt::join(names, ", ")));
-    };
-    add("steps of the bed", bodies(ObstacleSpec::Method::step));
-    add("bed elevation", bodies(ObstacleSpec::Method::elevation));
+  Effect solid_bodies() const {
+    std::vector<std::string> names;
     for (const ObstacleSpec& o : s.obstacles) {
-      const bool of_planes = o.method == ObstacleSpec::Method::planes;
-      if (among_grains(o)) {
-        solid.push_back(body(o) + (of_planes ? ", not of planes: grains meet solid bodies" : ""));
-      } else if (of_planes) {
-        add(fmt::format("five planes, eta {:g}", o.eta), {body(o)});
-      }
+      if (among_grains(o)) names.push_back(body(o));
     }
-    add(continuum ? "solid bodies in the zone of grains" : "solid bodies", solid);
-    return {"obstacles", true, fmt::format("{}", fmt::join(kinds, "; "))};
+    if (!names.empty()) {
+      const char* where = continuum ? "in the zone of grains" : "among the grains";
+      return {"solid_bodies", true, fmt::format("{}: {}", where, fmt::join(names, ", "))};
+    }
+    if (s.obstacles.empty()) return {"solid_bodies", false, "the scene has no obstacles"};
+    return {"solid_bodies", false, mode + ": no grains"};  // check_scene lets no zone without an obstacle through
   }
 
   Effect inflow() const {
@@ -139,7 +138,9 @@ struct Listing {
       const SideSpec& spec = s.sides[side];
       if (spec.kind != SideSpec::Kind::inflow) continue;
       const GreatestInflow q = greatest_inflow(s, spec);
-      const char* how = spec.inflow == SideSpec::Inflow::silo ? " from a silo's gate (velocity by Beverloo's law: assumed)"
+      const char* silo = s.material.diameter > 0 ? " from a silo's gate (velocity by Beverloo's law: assumed)"
+                                                 : " from a silo's gate (velocity by Beverloo's law with d = 0: assumed)";
+      const char* how = spec.inflow == SideSpec::Inflow::silo         ? silo
                         : spec.inflow == SideSpec::Inflow::hydrograph ? " at most, by a hydrograph"
                                                                       : "";
       all.push_back(fmt::format("{}: {} deep at {:.6g} m/s{}", sides[side], len(q.depth), q.velocity, how));
@@ -220,9 +221,10 @@ std::vector<Effect> effects_of(const Scene& scene) {
           list.earth_pressure(),
           list.basal_friction(),
           list.curvature(),
+          list.steps_of_the_bed(),
           list.elevation(),
-          list.obstacles(),
           list.planes(),
+          list.solid_bodies(),
           list.inflow(),
           list.periodic(),
           list.grain_engine(),

@@ -114,6 +114,7 @@ void warn(Plan& plan, const Scene& scene) {
   const auto say = [&](std::string text) { plan.warnings.push_back(std::move(text)); };
   warn_of_absence(plan, scene, say);
   warn_of_inflows(scene, say);
+  for (const std::string& assumed : inflow_assumptions(scene)) say(assumed);
   if (plan.memory > machine_memory())
     say(fmt::format("This machine has {:.3g} GB: the run would be refused.", machine_memory() * 1e-9));
   if (scene.mode == Mode::continuum) return;

@@ -35,13 +35,13 @@ std::vector<float> level_free_surface(const Grid& grid, const ReferenceSurface& 
 }
 
 std::vector<float> level_velocity(const Grid& grid, const ReferenceSurface& surface, const std::vector<double>& h,
-                                  const std::vector<double>& hu, const std::vector<double>& hv, double dry) {
+                                  const std::vector<double>& hu, const std::vector<double>& hv, double thin) {
   std::vector<float> out(3 * h.size(), 0.0f);
   for (int i = 0; i < grid.nx; ++i) {
     const Eigen::Vector3d along = turn(surface, surface.tangent(grid.x(i))), across = turn(surface, Eigen::Vector3d::UnitY());
     for (int j = 0; j < grid.ny; ++j) {
       const auto k = std::size_t(j) * grid.nx + i;
-      if (h[k] < dry) continue;
+      if (h[k] <= thin) continue;
       const Eigen::Vector3d v = (hu[k] * along + hv[k] * across) / h[k];
       for (int c = 0; c < 3; ++c) out[3 * k + c] = float(v[c]);
     }

@@ -12,9 +12,9 @@ std::vector<float> level_nodes(const Grid&, const ReferenceSurface&);
 // Points above the cell centres at the height bed + h along the normal, [ny][nx][3] in m.
 std::vector<float> level_free_surface(const Grid&, const ReferenceSurface&, const std::vector<double>& bed,
                                       const std::vector<double>& h);
-// Depth-averaged velocity, tangential to the reference surface, [ny][nx][3] in m/s; 0 where the depth is below `dry`.
+// Depth-averaged velocity, tangential to the reference surface, [ny][nx][3] in m/s; 0 up to the depth `thin`.
 std::vector<float> level_velocity(const Grid&, const ReferenceSurface&, const std::vector<double>& h,
-                                  const std::vector<double>& hu, const std::vector<double>& hv, double dry);
+                                  const std::vector<double>& hu, const std::vector<double>& hv, double thin);
 // Grain centres [N][3] in m and velocities [N][3] in m/s.
 std::vector<float> level_positions(const ReferenceSurface&, const Grains&);
 std::vector<float> level_velocities(const ReferenceSurface&, const Grains&);

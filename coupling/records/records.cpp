@@ -8,13 +8,13 @@
 #include "coupling/records/columns.hpp"
 #include "coupling/records/level_frame.hpp"
 #include "coupling/records/provenance.hpp"
+#include "coupling/scene/depths.hpp"
 
 namespace couloir {
 namespace {
 
 constexpr long kWaitingWindows = 256;
 constexpr int kSurfacePoints = 401;
-constexpr double kDry = 1e-6;  // [m] pictures show no velocity in thinner flow
 
 std::string now_utc() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
@@ -46,6 +46,7 @@ void Records::on_start(const RunStart& start) {
     surface_ = start.surface;
     grid_ = start.grid;
     bed_ = start.bed;
+    thin_ = thin_depth(*start.scene);
     if (resume_time_ >= 0) {
       frames_ = h5::create_group(file_, "frames");
       open_series(start);
@@ -265,7 +266,7 @@ void Records::write_flow(hid_t frame, const FrameView& view) {
   h5::put(frame, "hv", *view.hv, {ny, nx}, {"m2/s", "depth times velocity across the slope"});
   h5::put(frame, "surface", level_free_surface(grid_, *surface_, bed_, *view.h), {ny, nx, 3},
           {"m", "free surface above the cell centres in the level frame"});
-  h5::put(frame, "velocity", level_velocity(grid_, *surface_, *view.h, *view.hu, *view.hv, kDry), {ny, nx, 3},
+  h5::put(frame, "velocity", level_velocity(grid_, *surface_, *view.h, *view.hu, *view.hv, thin_), {ny, nx, 3},
           {"m/s", "depth-averaged velocity in the level frame"});
   if (view.zone.empty()) return;
   const CellBox& z = view.zone;

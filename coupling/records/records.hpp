@@ -75,6 +75,7 @@ class Records : public Observer {
   const ReferenceSurface* surface_ = nullptr;
   Grid grid_;
   std::vector<double> bed_;
+  double thin_ = 0;  // [m] up to it frames show no velocity
   long waiting_ = 0;
   h5::Handle file_, frames_;
   std::vector<h5::Series> columns_;  // as window_columns()

@@ -8,6 +8,7 @@
 #include "coupling/records/provenance.hpp"
 #include "coupling/records/reader.hpp"
 #include "coupling/records/text_file.hpp"
+#include "coupling/scene/depths.hpp"
 
 namespace couloir {
 namespace {
@@ -52,7 +53,7 @@ void Summary::on_start(const RunStart& start) {
   effects_ = start.effects;
   for (const std::string& name : start.obstacles) obstacles_.push_back({name, {}});
   if (has_continuum_)
-    for (const GaugeSpec& gauge : scene.record.gauges) gauges_.push_back({gauge.name, {}});
+    for (const GaugeSpec& gauge : scene.record.gauges) gauges_.push_back({gauge.name, GaugeSeries(arrival_depth(scene))});
   for (const ForceMeasure& m : start.measures) measures_.push_back({m, {}, 0});
   planes_ = start.planes_obstacle;
   if (resume_time_ >= 0) read_back();

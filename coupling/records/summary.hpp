@@ -16,7 +16,7 @@
 //             method planes also: .overflow [kg] over its upper edges, .max_heap [m] on the slope along its foot, .max_climbed
 //             [m]
 //   gauges.<name> .max_depth, .max_depth_time, .depth_final, .depth_mean, .velocity_mean, .max_speed, .arrival (null: never):
-//             gauge_series.hpp; none in grains mode
+//             gauge_series.hpp; arrived is a flow of 1 % of the greatest depth of release and inflows; none in grains mode
 //   obstacles.<name>.<kind>, walls.<side>  the force by other measures (loop/force_measures.hpp): .maximum, the largest window's
 //             mean [N]; .peak and .peak_time of the 15 ms mean; .mean over the whole run, .final of the last 50 ms [N]; .impulse
 //             [N s]. Of the component along the slope, and .impulse_across; of a wall the component out of the domain

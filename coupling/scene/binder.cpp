@@ -177,8 +177,12 @@ class Binder {
     for (std::size_t r = 0; r < node.items.size(); ++r) {
       const Node& row = node.items[r];
       const std::string place = fmt::format("{}[{}]", full, r);
-      if (row.kind != Node::Kind::list || row.items.size() != key.columns.size())
-        fail(row, place, fmt::format("is {}, but must be a list of {} numbers", describe(row), key.columns.size()));
+      if (row.kind != Node::Kind::list || row.items.size() != key.columns.size()) {
+        const std::string given =
+            row.kind == Node::Kind::list ? fmt::format("has {}", row.items.size()) : fmt::format("is {}", describe(row));
+        fail(row, place,
+             fmt::format("{}, but a row needs {} numbers: {}", given, key.columns.size(), fmt::join(key.column_names, ", ")));
+      }
       for (std::size_t n = 0; n < row.items.size(); ++n) {
         Key column = key;
         column.dimension = key.columns[n];

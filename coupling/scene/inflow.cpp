@@ -1,7 +1,11 @@
 #include "coupling/scene/inflow.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "coupling/scene/units.hpp"
 
 namespace couloir {
 
@@ -25,6 +29,26 @@ GreatestInflow greatest_inflow(const Scene& scene, const SideSpec& side) {
   for (const InflowRow& row : side.hydrograph) {
     out.depth = std::max(out.depth, row.depth);
     out.velocity = std::max(out.velocity, row.velocity);
+  }
+  return out;
+}
+
+std::vector<std::string> inflow_assumptions(const Scene& scene) {
+  std::vector<std::string> out;
+  const char* names[] = {"upstream", "downstream", "left", "right"};
+  for (int side = 0; side < 4; ++side) {
+    const SideSpec& spec = scene.sides[side];
+    if (spec.kind != SideSpec::Kind::inflow || spec.inflow != SideSpec::Inflow::silo || scene.material.diameter > 0) continue;
+    // A hundredth and a tenth of the gate, say what the missing diameter may do.
+    const auto less = [&](double share) {
+      return 100 * (1 - silo_velocity(spec.gate, share * spec.gate, scene.gravity) / silo_velocity(spec.gate, 0, scene.gravity));
+    };
+    out.push_back(
+        fmt::format("The material has no diameter: the silo's rate {} is assumed to be that of grains without size, the "
+                    "most the gate lets through; grains of {} would bring {:.2g} % less, of {} {:.2g} %. Give "
+                    "material.diameter.",
+                    names[side], short_quantity(0.01 * spec.gate, Dimension::length), less(0.01),
+                    short_quantity(0.1 * spec.gate, Dimension::length), less(0.1)));
   }
   return out;
 }

@@ -208,6 +208,7 @@ void add_inflow(Keys& k, const std::string& path, int side) {
   table.kind = ValueKind::table;
   table.help = "rows [time, depth, velocity], times rising; linear between them, nothing before the first and after the last";
   table.columns = {time, length, velocity};
+  table.column_names = {"time", "depth", "velocity"};
   table.bounds = {0, 1e6, false};
   table.presence = Presence::required;
   table.selector = "kind";
@@ -226,7 +227,7 @@ void add_inflow(Keys& k, const std::string& path, int side) {
   k.add(number(
             path + ".gate", length,
             "opening of a silo's gate, the depth of the flow from it; assumed: discharge 1.03 sqrt(g) (gate - 1.4 d)^1.5 a metre "
-            "of width (Beverloo, slot), d the material's diameter",
+            "of width (Beverloo, slot), d the material's diameter (without one: 0, told as a warning)",
             at(&SideSpec::gate))
             .above(0)
             .required()
@@ -314,7 +315,10 @@ void add_grains(Keys& k) {
 
 void add_record(Keys& k) {
   k.add(mapping("record", "what is written and how often"));
-  k.add(number("record.frames", time, "between frames", COULOIR_AT(record.frames)).above(0));
+  k.add(number("record.frames", time,
+               "between frames; they show no velocity up to 1e-5 of the greatest depth of release and inflows",
+               COULOIR_AT(record.frames))
+            .above(0));
   k.add(number("record.forces", time, "between rows of forces.csv, at least", COULOIR_AT(record.forces)).above(0));
   const auto gauge = [](auto& s, int i) {
     auto& g = s.record.gauges[i];
@@ -325,7 +329,9 @@ void add_record(Keys& k) {
     return std::tie(g.length, g.width);
   };
   k.add(named(
-      "record.gauges", "places where depth and velocity of the flow are recorded; modes continuum and coupled",
+      "record.gauges",
+      "places where depth and velocity of the flow are recorded; it has arrived with 1 % of the greatest depth of release and "
+      "inflows; modes continuum and coupled",
       [](auto& s) -> auto& { return s.record.gauges; }));
   k.add(numbers("record.gauges.*.position", length, "[x, y]; between cell centres the flow is interpolated", gauge).required());
   k.add(numbers("record.gauges.*.size", length,

@@ -44,7 +44,8 @@ struct Key {
   std::string help;
   Dimension dimension = Dimension::none;
   int count = 1;
-  std::vector<Dimension> columns;  // of a table
+  std::vector<Dimension> columns;         // of a table
+  std::vector<std::string> column_names;  // as messages call them
   Bounds bounds;
   std::vector<std::string> choices;
   Presence presence = Presence::defaulted;

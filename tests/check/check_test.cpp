@@ -13,6 +13,7 @@ namespace couloir {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 
 struct Output {
   int code = -1;
@@ -82,6 +83,28 @@ TEST(Check, SearchesForACriticalValue) {
 )");
   const Output out = check(folder, "slab --jobs 2");
   EXPECT_EQ(out.code, 0) << out.text;
+}
+
+TEST(Check, ASearchThatFindsNothingSaysWhatItSaw) {
+  const CheckFolder folder("check_no_search");
+  // The speed rises with the slope: g (sin a - tan 20 cos a) 0.1 s, 0.089 m/s at 25 deg and 0.181 m/s at 30 deg.
+  const std::string search = R"(cases:
+  - name: angle
+    search: {key: terrain.angle, from: 25 deg, to: 30 deg, step: 1 deg, quantity: gauges.middle.max_speed, bound: BOUND}
+    expect:
+      - {quantity: critical, value: 25, tolerance: 0.1, evidence: exact, source: u = m t}
+)";
+  const auto with = [&](const std::string& bound) {
+    std::string text = search;
+    folder.write("slab/expected.yaml", text.replace(text.find("BOUND"), 5, bound));
+    return check(folder, "slab --jobs 2");
+  };
+  const Output rises = with("0.1 m/s");
+  EXPECT_EQ(rises.code, 1) << rises.text;
+  EXPECT_THAT(rises.text,
+              MatchesRegex("(.|\n)*gauges.middle.max_speed is 0.0[89][0-9]* m/s at 25 deg and 0.18[0-9]* m/s at 30 deg "
+                           "of terrain.angle: only the upper end misses its bound of 0.1 m/s(.|\n)*"));
+  EXPECT_THAT(with("0.05 m/s").text, HasSubstr("both ends miss its bound of 0.05 m/s"));
 }
 
 TEST(Check, RefusesWrongInputBeforeAnyRun) {

@@ -120,13 +120,39 @@ TEST(Expected, RefusesWhatCannotBeMeant) {
     text.replace(text.find(old), old.size(), now);
     return error_of(text);
   };
-  EXPECT_THAT(with("400 g", "400 mm"), HasSubstr("has the unit mm, but mass.initial is a mass"));
-  EXPECT_THAT(with("400 g", "400 kgg"), HasSubstr("did you mean 'kg'?"));
+  EXPECT_THAT(with("400 g", "400 mm"), HasSubstr("mass.initial is in mm, but is a mass; write kg, g, t"));
+  EXPECT_THAT(with("400 g", "400"), HasSubstr("mass.initial has no unit, but is a mass; write kg, g, t"));
+  EXPECT_THAT(with("400 g", "400, unit: kgg"), HasSubstr("unit is 'kgg', which is no unit; did you mean 'kg'?"));
+  EXPECT_THAT(with("400 g", "4 0 g"), HasSubstr("value is '4 0 g', but a unit is a name such as N"));
+  EXPECT_THAT(with("mass.initial, value: 400 g", "mass.relative_error, value: 1 kg"),
+              HasSubstr("mass.relative_error is in kg, but is a plain number; write %, 1"));
+  EXPECT_THAT(with("400 g", "400 kgg"), HasSubstr("value is '400 kgg', but 'kgg' is no unit; did you mean 'kg'?"));
   EXPECT_THAT(with("400 g", "heavy"), HasSubstr("must be a number with a unit"));
   EXPECT_THAT(with("evidence: exact", "evidence: guess"), HasSubstr("must be one of exact, seed table, measured, regression"));
   EXPECT_THAT(with("mass.initial", "critical"), HasSubstr("needs a search"));
   EXPECT_THAT(with(", source: geometry", ""), HasSubstr("source is missing"));
   EXPECT_THAT(with("tolerance: 0.1 %", "tolerance: 1 mm"), HasSubstr("give % or the unit of the value"));
+}
+
+TEST(Expected, RefusesAShareOfNothing) {
+  const auto with = [](const std::string& value, const std::string& tolerance) {
+    std::string text = one_case;
+    text.replace(text.find("400 g"), 5, value);
+    text.replace(text.find("0.1 %"), 5, tolerance);
+    return error_of(text);
+  };
+  EXPECT_THAT(with("0 g", "5 %"),
+              HasSubstr("expected.yaml:5: mass.initial is expected to be 0, of which every share is 0, but its "
+                        "tolerance is 5 %; give a number without %, in the unit of the value, or none"));
+  EXPECT_EQ(with("0 g", "5 g"), "");
+  EXPECT_EQ(with("0 g", "none"), "");
+  EXPECT_EQ(with("1 g", "0 %"), "");
+  // In a table the cell is at fault, which may have a tolerance of its own.
+  std::string rows = table;
+  rows.replace(rows.find("{value: 0.3, tolerance: 50 %}"), 29, "0");
+  EXPECT_THAT(error_of(rows), HasSubstr("expected.yaml:17: flow.max_speed is expected to be 0"));
+  rows.replace(rows.find(", 0, ~]"), 7, ", {value: 0, tolerance: 0.1}, ~]");
+  EXPECT_EQ(error_of(rows), "");
 }
 
 TEST(CheckUnit, KnowsScalesAndForces) {

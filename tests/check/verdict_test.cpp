@@ -85,5 +85,21 @@ TEST(Search, FindsTheSmallestGoodValueWithFewTrials) {
   EXPECT_TRUE(std::isnan(smallest_good(search, good_from(7))));
 }
 
+// What was seen, in the units of the file: a quantity that rises is another mistake than a bracket that is too low.
+TEST(Search, SaysWhatItSawWhereNoValueIsGood) {
+  Search search;
+  search.key = "terrain.angle", search.unit = "deg", search.quantity = "flow.max_speed";
+  search.from = 20, search.to = 28.3, search.step = 0.5;
+  search.bound = 200, search.bound_unit = {"mm/s", "a velocity", 1e-3};
+  EXPECT_EQ(
+      why_none_is_good(search, 0.15, 0.35),
+      "flow.max_speed is 150 mm/s at 20 deg and 350 mm/s at 28 deg of terrain.angle: only the upper end misses its bound of "
+      "200 mm/s, but a search needs a quantity that falls as the key rises");
+  EXPECT_EQ(why_none_is_good(search, 0.35, 0.25),
+            "flow.max_speed is 350 mm/s at 20 deg and 250 mm/s at 28 deg of terrain.angle: both ends miss its bound of 200 mm/s; "
+            "search elsewhere");
+  EXPECT_THAT(why_none_is_good(search, 0.35, std::nan("")), HasSubstr("null at 28 deg of terrain.angle: both ends miss"));
+}
+
 }  // namespace
 }  // namespace couloir

@@ -58,5 +58,21 @@ TEST(Inflow, ClosesTheLedgersOfTheCoupledRun) {
   EXPECT_GT(deepest, 0.005) << "the gauge in the zone sees the grains";
 }
 
+// summary.json holds the events.
+TEST(Inflow, ASiloOfGrainsWithoutSizeIsToldAsAnAssumption) {
+  const auto told = [](const std::string& material) {
+    const Overrides silo{{"material", material},
+                         {"release", "{kind: none}"},
+                         {"boundaries.upstream", "{inflow: {kind: silo, gate: 20 mm}}"},
+                         {"duration", "2 ms"}};
+    std::string all;
+    for (const Event& e : watch(small_scene("continuum", silo), options_in(fresh_folder("inflow_silo"))).events) all += e.what;
+    return all;
+  };
+  EXPECT_THAT(told("yellow_sand"),
+              testing::HasSubstr("warning: The material has no diameter: the silo's rate upstream is assumed"));
+  EXPECT_EQ(told("vestolen"), "");
+}
+
 }  // namespace
 }  // namespace couloir

@@ -33,10 +33,11 @@ TEST(Effects, OfTheWall) {
   expect(s, "earth_pressure", true, "closure is active_passive: phi 37 deg and delta 24 deg give K_act 0.61319, K_pas 3.65818");
   expect(s, "basal_friction", true, "Coulomb, delta 24 deg");
   expect(s, "curvature", true, "the terrain has an arc of 146.5 mm with radius 209.846 mm");
+  expect(s, "steps_of_the_bed", false, "grains of the zone meet the obstacles as solid bodies");
   expect(s, "elevation", false, "no obstacle is an elevation of the bed");
   expect(s, "planes", false, "no obstacle is made of planes");
   expect(s, "across_slope", true, "the domain has 160 rows of cells: the 2D model (2.87)-(2.92)");
-  expect(s, "obstacles", true, "solid bodies in the zone of grains: wall (80 mm high)");
+  expect(s, "solid_bodies", true, "in the zone of grains: wall (80 mm high)");
   expect(s, "inflow", false, "no side of the domain is an inflow");
   expect(s, "periodic_sides", false, "no sides are periodic");
   expect(s, "grain_engine", true, "mode is coupled: liggghts, grains of 4 mm, 1 rank");
@@ -50,7 +51,8 @@ TEST(Effects, OfTheNullZone) {
   const Scene s = experiment("null_zone");
   expect(s, "earth_pressure", false, "closure is hydraulic: K = 1");
   expect(s, "curvature", false, "the terrain has no arc: kappa is 0 everywhere");
-  expect(s, "obstacles", false, "the scene has none");
+  expect(s, "solid_bodies", false, "the scene has no obstacles");
+  expect(s, "steps_of_the_bed", false, "no obstacle is a step of the bed");
   expect(s, "inflow", true, "upstream: 40 mm deep at 1.002 m/s");
   expect(s, "periodic_sides", true, "left and right are periodic");
   expect(s, "coupling", true, "mode is coupled, with the zone that the scene gives");
@@ -60,7 +62,8 @@ TEST(Effects, OfTheNullZone) {
 TEST(Effects, OfOtherModes) {
   const Scene continuum = experiment("chiou_wall", {{"mode", "continuum"}});
   expect(continuum, "grain_engine", false, "mode is continuum: no engine is started");
-  expect(continuum, "obstacles", true, "steps of the bed: wall (80 mm high)");
+  expect(continuum, "steps_of_the_bed", true, "the bed jumps, nothing flows through: wall (80 mm high)");
+  expect(continuum, "solid_bodies", false, "mode is continuum: no grains");
   expect(continuum, "coupling", false, "mode is continuum: one model alone");
   expect(continuum, "airborne", false, "mode is continuum: a depth-averaged flow has no flight");
   expect(continuum, "rolling_friction", false, "mode is continuum: no grains");
@@ -68,7 +71,8 @@ TEST(Effects, OfOtherModes) {
   expect(grains, "depth_averaged_flow", false, "mode is grains: grains carry the whole flow");
   expect(grains, "earth_pressure", false, "mode is grains: stresses come from the contacts");
   expect(grains, "curvature", false, "mode is grains: the grains move on the curved bed itself");
-  expect(grains, "obstacles", true, "solid bodies: wall (80 mm high)");
+  expect(grains, "solid_bodies", true, "among the grains: wall (80 mm high)");
+  expect(grains, "steps_of_the_bed", false, "mode is grains: grains meet the obstacles as solid bodies");
   expect(grains, "airborne", false, "mode is grains: grains fly as grains");
 }
 
@@ -105,9 +109,11 @@ TEST(Effects, WhatTheSceneLeavesWithoutEffect) {
 
 TEST(Effects, OfTwoInflows) {
   const Scene s = experiment("silo_wedge", {{"boundaries.left", "{inflow: {depth: 10 mm, velocity: 1}}"}});
-  expect(
-      s, "inflow", true,
-      "upstream: 9 mm deep at 0.30605 m/s from a silo's gate (velocity by Beverloo's law: assumed); left: 10 mm deep at 1 m/s");
+  expect(s, "inflow", true,
+         "upstream: 9 mm deep at 0.30605 m/s from a silo's gate (velocity by Beverloo's law with d = 0: assumed); left: 10 mm "
+         "deep at 1 m/s");
+  const Scene known = experiment("silo_wedge", {{"material", "vestolen"}, {"boundaries.upstream.inflow.gate", "18 mm"}});
+  expect(known, "inflow", true, "upstream: 18 mm deep at 0.247475 m/s from a silo's gate (velocity by Beverloo's law: assumed)");
 }
 
 // In mode coupled an obstacle is what its surroundings are: solid among grains, else what its method says.
@@ -115,10 +121,28 @@ TEST(Effects, OfObstaclesInsideAndOutsideOfTheZone) {
   const Overrides overrides{{"obstacles.hill", "{position: [1.2 m, 0], size: [50 mm, 80 mm, 20 mm], method: elevation}"},
                             {"grains.zone", "{x: [0.5 m, 0.7 m], y: [-0.12 m, 0.12 m]}"}};
   Scene s = experiment("chiou_wall", overrides);
-  expect(s, "obstacles", true, "bed elevation: hill (20 mm high); solid bodies in the zone of grains: wall (80 mm high)");
+  expect(s, "solid_bodies", true, "in the zone of grains: wall (80 mm high)");
   expect(s, "elevation", true, "bed heights of obstacles, (4.4)-(4.9): hill (20 mm high)");
   s = experiment("chiou_wall", {{"obstacles.wall.method", "elevation"}});
   expect(s, "elevation", false, "grains of the zone meet the obstacles as solid bodies");
+}
+
+// In one effect, by its method and what carries the flow around it.
+TEST(Effects, TellOfEachObstacleOnce) {
+  const std::map<std::string, std::string> at{{"step", "steps_of_the_bed"}, {"elevation", "elevation"}, {"planes", "planes"}};
+  for (const auto& [method, name] : at) {
+    for (const char* mode : {"continuum", "coupled", "grains"}) {
+      const Scene s = experiment("chiou_wall", {{"mode", mode}, {"obstacles.wall.method", method}});
+      int told = 0;
+      for (const Effect& e : effects_of(s)) {
+        if (!e.on || e.reason.find("wall (80 mm high)") == std::string::npos) continue;
+        ++told;
+        EXPECT_EQ(e.name, mode == std::string("continuum") ? name : "solid_bodies");
+      }
+      EXPECT_EQ(told, 1) << method << ", " << mode;
+    }
+  }
+  expect(experiment("eta_study"), "planes", true, "flows of their own on five planes: wall (79.992 mm high), eta 0.8");
 }
 
 // The whole list of each experiment: what it simulates, and nothing else.
@@ -132,17 +156,17 @@ TEST(Effects, OfEveryExperiment) {
     return names;
   };
   const std::map<std::string, Names> expected{
-      {"chiou_cuboid_grid", with(chute, {"obstacles"})},
-      {"chiou_vestolen", with(chute, {"obstacles"})},
-      {"chiou_wall", with(with(chute, grains), {"obstacles"})},
-      {"cuboid_force", with(chute, {"obstacles"})},
-      {"eta_study", with(chute, {"obstacles", "planes"})},
+      {"chiou_cuboid_grid", with(chute, {"steps_of_the_bed"})},
+      {"chiou_vestolen", with(chute, {"steps_of_the_bed"})},
+      {"chiou_wall", with(with(chute, grains), {"solid_bodies"})},
+      {"cuboid_force", with(chute, {"steps_of_the_bed"})},
+      {"eta_study", with(chute, {"planes"})},
       {"flume_continuum", {"depth_averaged_flow", "across_slope", "gravity_along_slope", "earth_pressure", "basal_friction"}},
       {"null_zone", with(grains, {"depth_averaged_flow", "across_slope", "gravity_along_slope", "basal_friction", "inflow",
                                   "periodic_sides"})},
-      {"silo_wedge", with(chute, {"obstacles", "elevation", "inflow"})},
-      {"wedge_force", with(chute, {"obstacles", "elevation"})},
-      {"wedge_grid", with(chute, {"obstacles", "elevation"})}};
+      {"silo_wedge", with(chute, {"elevation", "inflow"})},
+      {"wedge_force", with(chute, {"elevation"})},
+      {"wedge_grid", with(chute, {"elevation"})}};
   for (const auto& folder : std::filesystem::directory_iterator(COULOIR_SOURCE_DIR "/experiments")) {
     const std::string name = folder.path().filename().string();
     if (!std::filesystem::exists(folder.path() / "scene.yaml")) continue;
@@ -170,12 +194,12 @@ TEST(Effects, ElevationIsOnWithItsBodies) {
                             {"mode", "continuum"}};
   const Scene s = experiment("chiou_wall", overrides);
   expect(s, "elevation", true, "bed heights of obstacles, (4.4)-(4.9): wedge (40 mm high)");
-  expect(s, "obstacles", true, "steps of the bed: wall (80 mm high); bed elevation: wedge (40 mm high)");
+  expect(s, "steps_of_the_bed", true, "the bed jumps, nothing flows through: wall (80 mm high)");
   const Scene grains = experiment("chiou_wall", {overrides[0], {"mode", "grains"}});
   expect(grains, "elevation", false, "mode is grains: grains meet the obstacles as solid bodies");
-  expect(grains, "obstacles", true, "solid bodies: wall (80 mm high), wedge (40 mm high)");
+  expect(grains, "solid_bodies", true, "among the grains: wall (80 mm high), wedge (40 mm high)");
   const Scene smooth = experiment("chiou_wall", {{"obstacles.wall.method", "elevation"}, {"mode", "continuum"}});
-  expect(smooth, "obstacles", true, "bed elevation: wall (80 mm high)");
+  expect(smooth, "elevation", true, "bed heights of obstacles, (4.4)-(4.9): wall (80 mm high)");
 }
 
 }  // namespace

@@ -180,6 +180,32 @@ TEST(Summary, OfAContinuedRunIsThatOfTheWhole) {
   }
 }
 
+// A film, a chute and an avalanche: a gauge reads the same in shares of the release.
+TEST(Summary, GaugesScaleWithTheScene) {
+  for (const double size : {0.005, 0.1, 100.0}) {
+    const TemporaryFolder folder;
+    SyntheticRun run(Mode::continuum);
+    run.scene.release.height = size;
+    run.scene.record.gauges = {{"mid", 0.5, 0, 0, 0}, {"far", 1, 0, 0, 0}};
+    Summary summary(folder / "summary.json");
+    const RunStart begin = run.start();
+    summary.on_start(begin);
+    // A forerunner that is fast and thin, then the front; far away nothing but the forerunner.
+    const double depths[] = {0, 0.0099, 0.0101, 0.3, 0.2}, speeds[] = {0, 9, 1, 2, 1};
+    for (long k = 0; k < 5; ++k) {
+      WindowReport w = run.window(k);
+      w.gauges = {{size * depths[k], speeds[k], 0}, {size * std::min(depths[k], 0.0099), speeds[k], 0}};
+      summary.on_window(w);
+    }
+    summary.on_finish({});
+    const auto gauges = nlohmann::json::parse(summary.text())["gauges"];
+    EXPECT_NEAR(gauges["mid"]["arrival"], 0.003, 1e-12) << size;
+    EXPECT_EQ(gauges["mid"]["max_speed"], 2) << size;
+    EXPECT_NEAR(gauges["mid"]["depth_mean"], size * 0.5101 / 3, 1e-12 * size);
+    EXPECT_TRUE(gauges["far"]["arrival"].is_null()) << size;
+  }
+}
+
 std::vector<std::string> lines_of(const std::string& path) {
   std::istringstream in(read_text(path));
   std::vector<std::string> lines;

@@ -51,6 +51,7 @@ SyntheticRun::SyntheticRun(Mode mode, double scale_) : surface(ReferenceSurface:
   scene.terrain.arc = 0.3;
   scene.terrain.runout = 0.3;
   scene.terrain.width = 0.5;
+  scene.release.height = kDepth;
   scene.grains.diameter = kDiameter;
   scene.obstacles.push_back({"wall", kWallX, 0, kWallThick, kWallWidth, kWallHeight});
   scene.duration = windows * length;

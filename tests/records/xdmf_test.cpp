@@ -10,6 +10,7 @@
 
 #include "coupling/records/h5.hpp"
 #include "coupling/records/reader.hpp"
+#include "coupling/records/records.hpp"
 #include "coupling/records/text_file.hpp"
 #include "synthetic_run.hpp"
 
@@ -105,6 +106,29 @@ TEST(Xdmf, DrawsTheFreeSurfaceInTheLevelFrame) {
   const std::vector<double> v = h5::numbers(file, "frames/000003/velocity");
   EXPECT_LT(v[3 * k + 2], 0) << "downslope is downward";
   EXPECT_NEAR(std::hypot(v[3 * k], v[3 * k + 2]), 0.5 + 1.8 * 0.12, 1e-6);
+}
+
+// What is thin is so beside the release, whatever its size.
+TEST(Xdmf, ShowsNoVelocityOfWhatIsThinForTheScene) {
+  for (const double size : {0.005, 0.1, 100.0}) {
+    const TemporaryFolder folder;
+    SyntheticRun run(Mode::continuum);
+    run.scene.release.height = size;
+    run.grid = {4, 1, 0.3, 0.3, 0, -0.15};
+    {
+      Records records(folder / "records.h5", "title: Thin flow\n");
+      const RunStart begin = run.start();
+      records.on_start(begin);
+      const std::vector<double> h{0, 0.9e-5 * size, 1.1e-5 * size, size}, hu{0, 2 * h[1], 2 * h[2], 2 * h[3]}, hv(4, 0.0);
+      FrameView view;
+      view.h = &h, view.hu = &hu, view.hv = &hv;
+      records.on_frame(view);
+    }
+    const h5::Handle file = h5::open_file(folder / "records.h5", false);
+    const std::vector<double> v = h5::numbers(file, "frames/000000/velocity");
+    const double expected[] = {0, 0, 2, 2};
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(std::hypot(v[3 * i], v[3 * i + 2]), expected[i], 1e-6) << size << ", cell " << i;
+  }
 }
 
 }  // namespace

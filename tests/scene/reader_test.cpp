@@ -70,9 +70,9 @@ TEST_F(Reader, ReadsInflowAndZoneBox) {
 }
 
 TEST_F(Reader, ReadsInflowsAndGauges) {
-  Scene s =
-      read(good_scene, {{"boundaries.upstream", "{inflow: {kind: hydrograph, hydrograph: [[0, 0, 1], [200 ms, 4 cm, 2 m/s]]}}"},
-                        {"record.gauges", "{front: {position: [1 m, 10 mm]}, back: {position: [1.8 m, 0], size: [10 cm, 0.2]}}"}});
+  Scene s = read(good_scene,
+                 {{"boundaries.upstream", "{inflow: {kind: hydrograph, hydrograph: [[0, 0, 1], [200 ms, 4 cm, 2 m/s]]}}"},
+                  {"record.gauges", "{front: {position: [1 m, 10 mm]}, back: {position: [1.8 m, 0], size: [10 cm, 0.2]}}"}});
   EXPECT_EQ(s.sides[0].inflow, SideSpec::Inflow::hydrograph);
   ASSERT_EQ(s.sides[0].hydrograph.size(), 2u);
   EXPECT_EQ(s.sides[0].hydrograph[1].time, 0.2);
@@ -96,7 +96,11 @@ TEST_F(Reader, ReadsInflowsAndGauges) {
 TEST_F(Reader, SaysWhatIsWrongWithAnInflow) {
   const auto with = [&](const std::string& inflow) { return error(good_scene, {{"boundaries.upstream.inflow", inflow}}); };
   EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[0, 1 cm, 1], [1 s, 1 cm]]}"),
-              HasSubstr("inflow.hydrograph[1] is a list, but must be a list of 3 numbers"));
+              HasSubstr("inflow.hydrograph[1] has 2, but a row needs 3 numbers: time, depth, velocity"));
+  EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[0, 1 cm, 1], []]}"),
+              HasSubstr("inflow.hydrograph[1] has 0, but a row needs"));
+  EXPECT_THAT(with("{kind: hydrograph, hydrograph: [0, 1 cm, 1]}"),
+              HasSubstr("inflow.hydrograph[0] is '0', but a row needs 3 numbers: time, depth, velocity"));
   EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[0, 1 kg, 1], [1 s, 1 cm, 1]]}"),
               HasSubstr("inflow.hydrograph[0][1] is '1 kg', but 'kg' is not a unit of a length"));
   EXPECT_THAT(with("{kind: hydrograph, hydrograph: [[1 s, 1 cm, 1], [0, 1 cm, 1]]}"), HasSubstr("the times must rise"));

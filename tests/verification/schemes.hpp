@@ -65,9 +65,8 @@ struct NocVelocity : Noc {
   static constexpr const char* name = "noc_velocity_slopes";
   static constexpr double order_crest = 1.8;
   static constexpr bool ripples = false;
-  static NocSolver make(SolverSettings s, const ReferenceSurface& surface, const Height& ground = {}) {
-    s.velocity_slopes = true;
-    return Noc::make(s, surface, ground);
+  static NocSolver make(const SolverSettings& s, const ReferenceSurface& surface, const Height& ground = {}) {
+    return NocSolver(s, surface, {ground, {}}, {.velocity_slopes = true});
   }
 };
 
