@@ -70,14 +70,15 @@ TEST(PlanesRun, SaysThatAHeapOutgrowsTheWall) {
 
 // Mode coupled has a solid body instead, and the plan says so.
 TEST(PlanesRun, ThePlanNamesWhatStandsThere) {
-  const auto reason = [](const char* mode) {
+  const auto reason = [](const char* mode, const char* name) {
     for (const Effect& e :
          make_plan(small_scene(mode, {{"obstacles.wall.method", "planes"}, {"obstacles.wall.eta", "0.7"}})).effects)
-      if (e.name == "obstacles") return e.reason;
+      if (e.name == name) return e.reason;
     return std::string();
   };
-  EXPECT_THAT(reason("continuum"), HasSubstr("five planes, eta 0.7: wall"));
-  EXPECT_THAT(reason("coupled"), HasSubstr("not of planes: grains meet solid bodies"));
+  EXPECT_THAT(reason("continuum", "planes"), HasSubstr("five planes: wall (80 mm high), eta 0.7"));
+  EXPECT_THAT(reason("coupled", "planes"), HasSubstr("grains of the zone meet the obstacles as solid bodies"));
+  EXPECT_THAT(reason("coupled", "solid_bodies"), HasSubstr("wall"));
 }
 
 TEST(PlanesRun, ScenesThatAreRefused) {
