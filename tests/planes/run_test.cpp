@@ -76,7 +76,7 @@ TEST(PlanesRun, ThePlanNamesWhatStandsThere) {
       if (e.name == name) return e.reason;
     return std::string();
   };
-  EXPECT_THAT(reason("continuum", "planes"), HasSubstr("five planes: wall (80 mm high), eta 0.7"));
+  EXPECT_THAT(reason("continuum", "planes"), HasSubstr("five planes: wall (40 mm high), eta 0.7"));
   EXPECT_THAT(reason("coupled", "planes"), HasSubstr("grains of the zone meet the obstacles as solid bodies"));
   EXPECT_THAT(reason("coupled", "solid_bodies"), HasSubstr("wall"));
 }
