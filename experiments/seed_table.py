@@ -58,7 +58,7 @@ def draw(table, out):
     for ax, (source, quantity, across, up) in zip(axes.flat, panels):
         for wanted, line in [("maximum force", "-"), ("mean force", ":")] if quantity == "force" else [(quantity, "-")]:
             chosen = [(name.removeprefix(source).lstrip(", "), row) for (_, name, of, what), row in table.items()
-                      if of == source and what == wanted]
+                      if of == source and what == wanted and name.removeprefix(source).lstrip(", ")[:1].isdigit()]
             pairs = any(" / " in name for name, _ in chosen)
             x = range(len(chosen)) if pairs else [numbers(name)[0] for name, _ in chosen]
             for variant, label, color, mark in looks:
