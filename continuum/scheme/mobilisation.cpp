@@ -34,8 +34,9 @@ void mobilise(const Parameters& p, const Block& b, const StepFaces& steps, Block
   const auto carry_on = [=](int c, double du, double dv) {
     // From upwind, where something is.
     const auto carried = [=](const double* share, double courant, int step) {
-      const int up = courant > 0 ? c - step : c + step;
-      return h[up] >= dry ? std::abs(courant) * (share[up] - share[c]) : 0.0;
+      const double lower = h[c - step] >= dry ? share[c - step] - share[c] : 0.0;
+      const double upper = h[c + step] >= dry ? share[c + step] - share[c] : 0.0;
+      return std::max(courant, 0.0) * lower + std::max(-courant, 0.0) * upper;
     };
     const double ux = per_dx * u[c], vy = per_dy * v[c], half = 0.5 / passive_strain;
     const double new_x = old_x[c] + carried(old_x, ux, 1) + carried(old_x, vy, row) - half * per_dx * du;
