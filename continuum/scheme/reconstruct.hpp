@@ -21,6 +21,11 @@ namespace couloir {
 // is none.
 constexpr double shock_strength = 0.1, shock_share = 0.1;
 
+// By value: the references of std::max keep the loop below from vectorising.
+inline double larger(double a, double b) {
+  return a < b ? b : a;
+}
+
 inline void find_shocks(const Parameters& p, const Block& b, const Axis& axis, const Fields& q, std::vector<double>& smooth) {
   if (!with_friction(p)) {
     if (with_relief(b)) std::fill(smooth.begin(), smooth.end(), 1.0);
@@ -35,9 +40,10 @@ inline void find_shocks(const Parameters& p, const Block& b, const Axis& axis, c
 #pragma omp simd
     for (int i = axis.first_i(); i < axis.faces_i; ++i) {
       const int c = row + i;
-      const double deepest = std::max(std::max(h[c], 0.0), std::max(h[c - step], h[c + step]));
+      const double h_below = h[c - step], h_above = h[c + step], un_below = un[c - step], un_above = un[c + step];
+      const double deepest = larger(larger(h[c], 0.0), larger(h_below, h_above));
       const double least = shock_strength * std::sqrt(k[c] * weight[i] * deepest) + shock_share * std::abs(un[c]);
-      const double below = h[c - step] >= dry ? un[c - step] : un[c], above = h[c + step] >= dry ? un[c + step] : un[c];
+      const double below = h_below >= dry ? un_below : un[c], above = h_above >= dry ? un_above : un[c];
       s[c] = below - above > least ? 0.0 : 1.0;
     }
   }

@@ -76,29 +76,30 @@ void copy_from_inside(const Parameters& p, const Block& b, std::vector<double>& 
   }
 }
 
-// Without friction nothing else is locked.
-void dry_cells(const Parameters& p, const Block& b, const BlockState& s, std::vector<double>& locked_or_loose) {
-  const double *h = s.now.h.data(), *open = s.open.data(), dry = p.dry_depth;
-  double* loose = locked_or_loose.data();
-  for (int j = -1; j <= b.ny; ++j) {
-    const int begin = b.at(-1, j), end = b.at(b.nx, j);
-#pragma omp simd
-    for (int c = begin; c <= end; ++c) loose[c] = open[c] == 1 && h[c] < dry ? 0.0 : 1.0;
+// Dry cells are locked. Returns whether wet ones without momentum are among the others.
+bool find_dry(const Parameters& p, const Block& b, const BlockState& s, double* loose, int j) {
+  const double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data(), *open = s.open.data(), dry = p.dry_depth;
+  const int begin = b.at(-1, j), end = b.at(b.nx, j);
+  double still = 0;
+#pragma omp simd reduction(+ : still)
+  for (int c = begin; c <= end; ++c) {
+    const bool wet = !(open[c] == 1 && h[c] < dry);
+    loose[c] = wet ? 1.0 : 0.0;
+    still += wet && hu[c] == 0 && hv[c] == 0 ? 1.0 : 0.0;
   }
+  return still > 0;
 }
 
 }  // namespace
 
 void find_locked(const Parameters& p, const Block& b, const BlockState& s, Scratch& w) {
-  if (!with_friction(p)) {
-    dry_cells(p, b, s, w.loose);
-    copy_from_inside(p, b, w.loose);
-    return;
-  }
   const RestTest test(p, b, s);
   for (int j = -1; j <= b.ny; ++j) {
+    const bool still = find_dry(p, b, s, w.loose.data(), j);
+    if (!still || !with_friction(p)) continue;  // without friction nothing else is locked
     for (int i = -1; i <= b.nx; ++i) {
-      w.loose[b.at(i, j)] = s.open[b.at(i, j)] == 1 && test.locked(i, j) ? 0.0 : 1.0;
+      const int c = b.at(i, j);
+      if (s.open[c] == 1 && test.locked(i, j)) w.loose[c] = 0;
     }
   }
   copy_from_inside(p, b, w.loose);

@@ -67,13 +67,17 @@ double begin_step(const Parameters& p, const Block& b, const BlockFaces& faces, 
   const int j0 = b.j0 == 0 ? -comes_in(2) : 0, j1 = b.ny + (b.j0 + b.ny == p.grid.ny ? comes_in(3) : 0);
   const auto fastest = [&]<bool earth_pressure>(std::bool_constant<earth_pressure>) {
     double rate = 0;
+    const double *h = s.now.h.data(), *u = w.u.data(), *v = w.v.data(), *kx = w.kx.data(), *ky = w.ky.data();
+    const double* weight = b.weight.data() + Block::ghosts;
+    const double dx = p.grid.dx, dy = p.grid.dy;
     for (int j = j0; j < j1; ++j) {
+      const int row = b.at(0, j);
+#pragma omp simd reduction(max : rate)
       for (int i = i0; i < i1; ++i) {
-        const int c = b.at(i, j);
-        const double gh = b.weight[i + Block::ghosts] * std::max(0.0, s.now.h[c]);
-        const double kx = earth_pressure ? w.kx[c] : 1.0, ky = earth_pressure ? w.ky[c] : 1.0;
-        const double here =
-            (std::abs(w.u[c]) + std::sqrt(kx * gh)) / p.grid.dx + (std::abs(w.v[c]) + std::sqrt(ky * gh)) / p.grid.dy;
+        const int c = row + i;
+        const double gh = weight[i] * std::max(0.0, h[c]);
+        const double x = earth_pressure ? kx[c] * gh : gh, y = earth_pressure ? ky[c] * gh : gh;
+        const double here = (std::abs(u[c]) + std::sqrt(x)) / dx + (std::abs(v[c]) + std::sqrt(y)) / dy;
         rate = std::max(rate, here);
       }
     }
