@@ -1,9 +1,8 @@
 #include "continuum/scheme/face_flux.hpp"
 
-#include <algorithm>
-
 #include "continuum/scheme/effects.hpp"
 #include "continuum/scheme/hll.hpp"
+#include "continuum/scheme/min_max.hpp"
 
 namespace couloir {
 namespace {
@@ -11,8 +10,8 @@ namespace {
 // Share in which a rise is a wall to what runs at it: none while the head K h reaches over it, all from twice the head on; and
 // none up to 45 deg, where material runs up as on any slope, all from a slope of 2 on.
 inline double wall_share(double rise, double head, double spacing) {
-  const double above = std::min(std::max(0.0, rise - head) / std::max(head, 1e-300), 1.0);
-  return above * std::min(std::max(0.0, rise / spacing - 1), 1.0);
+  const double above = smaller(larger(0.0, rise - head) / larger(head, 1e-300), 1.0);
+  return above * smaller(larger(0.0, rise / spacing - 1), 1.0);
 }
 
 // What a slope's foot gives to a flow that it cannot hold by pressure: where the bed blocks the way down (h* < h reaches over),
@@ -21,7 +20,7 @@ inline double wall_share(double rise, double head, double spacing) {
 // keeps coming runs up. (Beyond all of it, thin films on steep wavy beds gain energy.)
 inline double foot(double h, double over, double gained, double weight, double deep) {
   const double blocked = h > 0 ? 1 - over / h : 0.0, thin = h < deep ? 1 - h / deep : 0.0;
-  return blocked * blocked * thin * (wall_flux(h, std::max(gained, 0.0), weight) - pressure(h, weight));
+  return blocked * blocked * thin * (wall_flux(h, larger(gained, 0.0), weight) - pressure(h, weight));
 }
 
 // Without relief h* = h and the bed does not push: the same bits for less work.
@@ -46,24 +45,24 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
       const double hl = h_hi[l], hr = h_lo[r];
       double over_l = hl, over_r = hr;
       if constexpr (relief) {
-        const double zl = eta_hi[l] - hl, zr = eta_lo[r] - hr, sill = std::max(zl, zr);
+        const double zl = eta_hi[l] - hl, zr = eta_lo[r] - hr, sill = larger(zl, zr);
         // h - (sill - z) / K, written so that K = 1 keeps the bits of a lake's level.
-        over_l = std::max(0.0, std::min(hl, (eta_hi[l] - sill) + (1 - 1 / kl) * (sill - zl)));
-        over_r = std::max(0.0, std::min(hr, (eta_lo[r] - sill) + (1 - 1 / kr) * (sill - zr)));
+        over_l = larger(0.0, smaller(hl, (eta_hi[l] - sill) + (1 - 1 / kl) * (sill - zl)));
+        over_r = larger(0.0, smaller(hr, (eta_lo[r] - sill) + (1 - 1 / kr) * (sill - zr)));
       }
       const NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr, flattening && smooth[l] * smooth[r] == 0);
-      const double m = n.mass * std::max(loose[l], loose[r]);
+      const double m = n.mass * larger(loose[l], loose[r]);
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
       normal[r] = n.momentum;
       double push_l = 0, push_r = 0;
       if constexpr (relief) {
-        const double zl = eta_hi[l] - hl, zr = eta_lo[r] - hr, sill = std::max(zl, zr);
+        const double zl = eta_hi[l] - hl, zr = eta_lo[r] - hr, sill = larger(zl, zr);
         const double turned_l = wall_share(sill - zl, kl * hl, spacing) * (wall_flux(hl, un_hi[l], gl) - pressure(hl, gl));
         const double turned_r = wall_share(sill - zr, kr * hr, spacing) * (wall_flux(hr, -un_lo[r], gr) - pressure(hr, gr));
-        const double gained = un_hi[l] - 0.5 * std::max(un[l - step], 0.0);
+        const double gained = un_hi[l] - 0.5 * larger(un[l - step], 0.0);
         const double blocked = foot(hl, over_l, gained, weight[i], deep[i]);
-        push_l = (pressure(hl, gl) - pressure(over_l, gl)) + (un_hi[l] > 0 ? std::max(turned_l, blocked) : turned_l);
+        push_l = (pressure(hl, gl) - pressure(over_l, gl)) + (un_hi[l] > 0 ? larger(turned_l, blocked) : turned_l);
         push_r = (pressure(hr, gr) - pressure(over_r, gr)) + turned_r;
       }
       below[r] = n.momentum + push_l;
@@ -83,7 +82,7 @@ void flatten_at_feet(const Block& b, const Axis& axis, const Fields& q, std::vec
     const int begin = b.at(axis.first_i(), j), end = b.at(axis.faces_i, j);
 #pragma omp simd
     for (int c = begin; c < end; ++c) {
-      const double lo = bed[c - step] - bed[c], hi = bed[c + step] - bed[c], reach = std::max(k[c] * h[c], spacing);
+      const double lo = bed[c - step] - bed[c], hi = bed[c + step] - bed[c], reach = larger(k[c] * h[c], spacing);
       const bool foot = (lo > reach && lo + 2 * hi > 0) || (hi > reach && hi + 2 * lo > 0);
       s[c] = foot ? 0.0 : s[c];
     }

@@ -13,6 +13,7 @@
 #include "continuum/scheme/axis.hpp"
 #include "continuum/scheme/effects.hpp"
 #include "continuum/scheme/limiter.hpp"
+#include "continuum/scheme/min_max.hpp"
 #include "continuum/scheme/parameters.hpp"
 
 namespace couloir {
@@ -20,11 +21,6 @@ namespace couloir {
 // A shock: the velocity falls across the cell by more than these shares of the wave speed and of itself. What runs onto a dry bed
 // is none.
 constexpr double shock_strength = 0.1, shock_share = 0.1;
-
-// By value: the references of std::max keep the loop below from vectorising.
-inline double larger(double a, double b) {
-  return a < b ? b : a;
-}
 
 inline void find_shocks(const Parameters& p, const Block& b, const Axis& axis, const Fields& q, std::vector<double>& smooth) {
   if (!with_friction(p)) {
