@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "continuum/scheme/effects.hpp"
@@ -66,22 +67,25 @@ double begin_step(const Parameters& p, const Block& b, const BlockFaces& faces, 
   const int i0 = b.i0 == 0 ? -comes_in(0) : 0, i1 = b.nx + (b.i0 + b.nx == p.grid.nx ? comes_in(1) : 0);
   const int j0 = b.j0 == 0 ? -comes_in(2) : 0, j1 = b.ny + (b.j0 + b.ny == p.grid.ny ? comes_in(3) : 0);
   const auto fastest = [&]<bool earth_pressure>(std::bool_constant<earth_pressure>) {
-    double rate = 0;
-    const double *h = s.now.h.data(), *u = w.u.data(), *v = w.v.data(), *kx = w.kx.data(), *ky = w.ky.data();
+    double rate = 0, not_finite = 0;
+    const double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data(), *u = w.u.data(), *v = w.v.data(),
+                 *kx = w.kx.data(), *ky = w.ky.data();
     const double* weight = b.weight.data() + Block::ghosts;
     const double dx = p.grid.dx, dy = p.grid.dy;
     for (int j = j0; j < j1; ++j) {
       const int row = b.at(0, j);
-#pragma omp simd reduction(max : rate)
+#pragma omp simd reduction(max : rate) reduction(+ : not_finite)
       for (int i = i0; i < i1; ++i) {
         const int c = row + i;
         const double gh = weight[i] * std::max(0.0, h[c]);
         const double x = earth_pressure ? kx[c] * gh : gh, y = earth_pressure ? ky[c] * gh : gh;
         const double here = (std::abs(u[c]) + std::sqrt(x)) / dx + (std::abs(v[c]) + std::sqrt(y)) / dy;
         rate = std::max(rate, here);
+        const double all = here + h[c] + hu[c] + hv[c];
+        not_finite += all - all == 0 ? 0.0 : 1.0;
       }
     }
-    return rate;
+    return not_finite == 0 ? rate : std::numeric_limits<double>::infinity();
   };
   return with_earth_pressure(p) ? fastest(std::bool_constant<built::earth_pressure>()) : fastest(std::false_type());
 }

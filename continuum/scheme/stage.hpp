@@ -30,7 +30,8 @@ void run_stage(const Parameters&, const Block&, const BlockFaces&, const Covered
                double dt, Tally&);
 
 // Carries the earth pressure's shares on over the time since the last step [s]; returns the fastest rate at which a signal then
-// crosses a cell of this block or of an inflow beside it: max of (|u| + c_x)/dx + (|v| + c_y)/dy [1/s].
+// crosses a cell of this block or of an inflow beside it: max of (|u| + c_x)/dx + (|v| + c_y)/dy [1/s];
+// infinite where the state is not finite.
 double begin_step(const Parameters&, const Block&, const BlockFaces&, BlockState&, Scratch&, double since);
 
 }  // namespace couloir

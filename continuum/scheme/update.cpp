@@ -106,7 +106,8 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
       new_h = 0.5 * (h0[c] + new_h);
       new_hu = 0.5 * (hu0[c] + new_hu);
       new_hv = 0.5 * (hv0[c] + new_hv);
-      const bool stopped = factor == 0 && old_h >= dry;  // a film has nothing to say about the whole step
+      const double whole_factor = old_h >= dry ? factor : 1.0;  // a film has nothing to say about the whole step
+      const bool stopped = whole_factor == 0;
       lost_x -= stopped ? new_hu : 0.0;
       lost_y -= stopped ? new_hv : 0.0;
       new_hu = stopped ? 0.0 : new_hu;
