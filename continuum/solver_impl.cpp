@@ -121,6 +121,9 @@ void Solver::Impl::refresh() {
     rates[b] = begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()], strained);
   }
   strained = 0;
+  if (with_earth_pressure(parameters)) {
+    for (int b : chosen) ghosts.fill_passive(states, b);
+  }
   if (std::ranges::any_of(rates, [](double r) { return std::isinf(r); })) check_finite();
   rate = *std::max_element(rates.begin(), rates.end());
 }

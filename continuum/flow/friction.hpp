@@ -10,9 +10,10 @@ inline double coulomb_capacity(double dt, double tan_delta, double weight, doubl
   return dt * tan_delta * (weight + kappa * u * u) * h;
 }
 
-// What friction leaves of a momentum of this magnitude, as a factor in [0, 1].
+// What friction leaves of a momentum of this magnitude, as a factor in [0, 1]. What exceeds it by round-off alone is stopped, too.
 inline double coulomb_factor(double magnitude, double capacity) {
-  return std::max(0.0, 1.0 - capacity / std::max(magnitude, 1e-300));
+  const double left = 1.0 - capacity / std::max(magnitude, 1e-300);
+  return left > 1e-12 ? left : 0.0;
 }
 
 }  // namespace couloir

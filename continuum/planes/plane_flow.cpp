@@ -107,6 +107,7 @@ void PlaneFlow::refresh() {
   find_velocity(parameters_, block_, state_.now, scratch_);
   mobilise(parameters_, block_, no_steps_, state_, scratch_, strained_);
   strained_ = 0;
+  fill_ghosts();
   find_earth_pressure(parameters_, block_, state_, scratch_);
 }
 
@@ -114,13 +115,14 @@ double PlaneFlow::stable_dt() const {
   const double none = std::numeric_limits<double>::infinity();
   if (!state_.wet) return none;
   const Grid& g = grid();
+  const EarthPressure& closure = parameters_.closure.earth_pressure;
   double rate = 0;
   for (int j = 0; j < block_.ny; ++j) {
     for (int i = 0; i < block_.nx; ++i) {
       const int c = block_.at(i, j);
       const double gh = settings_.weight * std::max(0.0, state_.now.h[c]);
-      rate = std::max(rate, (std::abs(scratch_.u[c]) + std::sqrt(scratch_.kx[c] * gh)) / g.dx +
-                                (std::abs(scratch_.v[c]) + std::sqrt(scratch_.ky[c] * gh)) / g.dy);
+      rate = std::max(rate, (std::abs(scratch_.u[c]) + std::sqrt(std::max(scratch_.kx[c], 0.2 * (scratch_.kx[c] + closure.stiffness_x())) * gh)) / g.dx +
+                                (std::abs(scratch_.v[c]) + std::sqrt(std::max(scratch_.ky[c], 0.2 * (scratch_.ky[c] + closure.stiffness_y())) * gh)) / g.dy);
     }
   }
   // As the slope's solver: gravity may speed up what is slow now.
@@ -231,7 +233,8 @@ void PlaneFlow::stage(StageName name, double dt, Tally& t) {
   } else {
     std::fill(w.loose.begin(), w.loose.end(), 1.0);
   }
-  const Axis x = Axis::x(b, w, grid().dx, grid().dy), y = Axis::y(b, w, grid().dx, grid().dy);
+  const EarthPressure& closure = parameters_.closure.earth_pressure;
+  const Axis x = Axis::x(b, state_, w, grid().dx, grid().dy, closure), y = Axis::y(b, state_, w, grid().dx, grid().dy, closure);
   for (const Axis& axis : {x, y}) {
     find_shocks(parameters_, b, axis, state_.now, w.smooth);
     reconstruct_all(parameters_, b, axis, state_.now, w, w.values);

@@ -1,6 +1,7 @@
 #pragma once
 // One of the two directions of a block, so that x and y share their code.
 
+#include "continuum/flow/earth_pressure.hpp"
 #include "continuum/mesh/block.hpp"
 #include "continuum/scheme/scratch.hpp"
 
@@ -15,12 +16,14 @@ struct Axis {
   const double* un;      // velocity along and across
   const double* ut;
   const double* k;           // earth pressure coefficient
+  const double* passive;     // share of the passive state; null where K does not depend on it
+  double stiffness;          // of K to strain (mobilisation.hpp)
   const double* weight;      // g cos(zeta) at the faces, by column: index i + ghosts
   const double* foot_depth;  // [m] 2 dx tan(zeta) of the cell below the face; 0 across the slope; like weight
   FaceFluxes* fluxes;
   double* source;
 
-  static Axis x(const Block& b, Scratch& w, double dx, double dy) {
+  static Axis x(const Block& b, const BlockState& s, Scratch& w, double dx, double dy, const EarthPressure& closure) {
     return {true,
             1,
             b.nx + 1,
@@ -30,14 +33,29 @@ struct Axis {
             w.u.data(),
             w.v.data(),
             w.kx.data(),
+            s.passive_x.data(),
+            closure.stiffness_x(),
             b.weight_face.data(),
             b.foot_depth.data(),
             &w.x,
             w.source_x.data()};
   }
-  static Axis y(const Block& b, Scratch& w, double dx, double dy) {
-    return {false,           b.row(),           b.nx, b.ny + 1,         dy, dx, w.v.data(), w.u.data(), w.ky.data(),
-            b.weight.data(), b.no_depth.data(), &w.y, w.source_y.data()};
+  static Axis y(const Block& b, const BlockState& s, Scratch& w, double dx, double dy, const EarthPressure& closure) {
+    return {false,
+            b.row(),
+            b.nx,
+            b.ny + 1,
+            dy,
+            dx,
+            w.v.data(),
+            w.u.data(),
+            w.ky.data(),
+            s.passive_y.data(),
+            closure.stiffness_y(),
+            b.weight.data(),
+            b.no_depth.data(),
+            &w.y,
+            w.source_y.data()};
   }
   // Cells whose face values the block's fluxes need: the interior and one ghost at either end of the axis.
   int first_i() const { return along_x ? -1 : 0; }

@@ -1,5 +1,8 @@
 #include "continuum/scheme/face_flux.hpp"
 
+#include <cmath>
+#include <type_traits>
+
 #include "continuum/scheme/effects.hpp"
 #include "continuum/scheme/hll.hpp"
 #include "continuum/scheme/min_max.hpp"
@@ -23,14 +26,23 @@ inline double foot(double h, double over, double gained, double weight, double d
   return blocked * blocked * thin * (wall_flux(h, larger(gained, 0.0), weight) - pressure(h, weight));
 }
 
+// What the answer of K to strain asks of a face beyond HLL, which knows the waves of K h alone: both sides' velocities even out at the
+// faster speed, where K can still follow. Else nothing damps those waves.
+inline double resistance(double compression, double h, double k, double stiffness, double weight, double least, double most) {
+  const double speed = std::sqrt((k + stiffness) * weight * h) - std::sqrt(k * weight * h);
+  const bool follows = compression > 0 ? least < 1 : most > 0;
+  return follows ? 0.5 * h * speed * compression : 0.0;
+}
+
 // Without relief h* = h and the bed does not push: the same bits for less work.
-template <bool relief, bool flattening>
+template <bool relief, bool flattening, bool elastic>
 void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
   const int step = axis.step;
   FaceFluxes& out = *axis.fluxes;
   const double *h_lo = f.h_lo.data(), *h_hi = f.h_hi.data(), *eta_lo = f.eta_lo.data(), *eta_hi = f.eta_hi.data();
   const double *un_lo = f.un_lo.data(), *un_hi = f.un_hi.data(), *ut_lo = f.ut_lo.data(), *ut_hi = f.ut_hi.data();
   const double spacing = axis.spacing;
+  const double stiffness = axis.stiffness, *passive = axis.passive;
   const double *un = axis.un, *k = axis.k, *loose = w.loose.data(), *smooth = w.smooth.data();
   double *mass = out.mass.data(), *tangent = out.tangent.data(), *normal = out.normal.data();
   double *below = out.normal_below.data(), *above = out.normal_above.data();
@@ -50,8 +62,12 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
         over_l = larger(0.0, smaller(hl, (eta_hi[l] - sill) + (1 - 1 / kl) * (sill - zl)));
         over_r = larger(0.0, smaller(hr, (eta_lo[r] - sill) + (1 - 1 / kr) * (sill - zr)));
       }
-      const NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr, flattening && smooth[l] * smooth[r] == 0);
-      const double m = n.mass * larger(loose[l], loose[r]);
+      NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr, flattening && smooth[l] * smooth[r] == 0);
+      if constexpr (elastic) {
+        n.momentum += resistance(un_hi[l] - un_lo[r], smaller(over_l, over_r), 0.5 * (kl + kr), stiffness, weight[i],
+                                 smaller(passive[l], passive[r]), larger(passive[l], passive[r]));
+      }
+      const double m = n.mass * (n.mass > 0 ? loose[l] : loose[r]);
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
       normal[r] = n.momentum;
@@ -90,8 +106,11 @@ void flatten_at_feet(const Block& b, const Axis& axis, const Fields& q, std::vec
 }
 
 void face_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
-  if (with_relief(b)) return fluxes<built::relief, built::all>(b, axis, w, f);
-  with_friction(p) ? fluxes<false, built::friction>(b, axis, w, f) : fluxes<false, false>(b, axis, w, f);
+  const auto run = [&]<bool elastic>(std::bool_constant<elastic>) {
+    if (with_relief(b)) return fluxes<built::relief, built::all, elastic>(b, axis, w, f);
+    with_friction(p) ? fluxes<false, built::friction, elastic>(b, axis, w, f) : fluxes<false, false, elastic>(b, axis, w, f);
+  };
+  with_earth_pressure(p) ? run(std::bool_constant<built::earth_pressure>()) : run(std::false_type());
 }
 
 void bed_source(const Block& b, const Axis& axis, const FaceValues& f) {

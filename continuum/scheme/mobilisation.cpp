@@ -45,10 +45,10 @@ void mobilise(const Parameters& p, const Block& b, const StepFaces& steps, Block
     x[c] = wet ? std::min(std::max(new_x, 0.0), 1.0) : 0.0;
     y[c] = wet ? std::min(std::max(new_y, 0.0), 1.0) : 0.0;
   };
-  for (int j = -1; j <= b.ny; ++j) {
-    const int begin = b.at(-1, j), end = b.at(b.nx, j);
+  for (int j = 0; j < b.ny; ++j) {
+    const int begin = b.at(0, j), end = b.at(b.nx, j);
 #pragma omp simd
-    for (int c = begin; c <= end; ++c) {
+    for (int c = begin; c < end; ++c) {
       const double du = (h[c + 1] >= dry ? u[c + 1] - u[c] : 0.0) + (h[c - 1] >= dry ? u[c] - u[c - 1] : 0.0);
       const double dv = (h[c + row] >= dry ? v[c + row] - v[c] : 0.0) + (h[c - row] >= dry ? v[c] - v[c - row] : 0.0);
       carry_on(c, du, dv);
@@ -62,13 +62,11 @@ void find_earth_pressure(const Parameters& p, const Block& b, const BlockState& 
   const EarthPressure k = p.closure.earth_pressure;
   const double *x = s.passive_x.data(), *y = s.passive_y.data();
   double *kx = w.kx.data(), *ky = w.ky.data();
-  for (int j = -1; j <= b.ny; ++j) {
-    const int begin = b.at(-1, j), end = b.at(b.nx, j);
+  const int n = b.size();
 #pragma omp simd
-    for (int c = begin; c <= end; ++c) {
-      kx[c] = k.kx_mobilised(x[c]);
-      ky[c] = k.ky_mobilised(x[c], y[c]);
-    }
+  for (int c = 0; c < n; ++c) {
+    kx[c] = k.kx_mobilised(x[c]);
+    ky[c] = k.ky_mobilised(x[c], y[c]);
   }
 }
 

@@ -16,13 +16,10 @@
 
 namespace couloir {
 
-inline constexpr double passive_strain = 0.3;
-
-// Carries the shares of the interior and the first ghost layer on by dt [s]. Needs find_velocity() of the present state and the
-// shares in all ghosts. Dry neighbours have no say in du/dx; a wall that the flow cannot pass counts as its mirror image.
+// Carries the shares of the interior on by dt [s]. Needs find_velocity() of the present state and the shares in the ghosts. Dry neighbours have no say in du/dx; a wall that the flow cannot pass counts as its mirror image.
 void mobilise(const Parameters&, const Block&, const StepFaces&, BlockState&, Scratch&, double dt);
 
-// K_x, K_y of those cells by their shares.
+// K_x, K_y of all cells by their shares.
 void find_earth_pressure(const Parameters&, const Block&, const BlockState&, Scratch&);
 
 }  // namespace couloir

@@ -10,21 +10,27 @@ namespace {
 struct Slope {
   bool exists = false;
   double surface = 0, bed = 0;  // difference to the neighbour in the direction of the axis [m]
+  double head = 0;              // of K h^2 / 2 over the mean depth, likewise, with the K of both
+};
+
+// Of the earth pressure: from active to what the cell has mobilised.
+struct Range {
+  double least, most;
 };
 
 class RestTest {
  public:
-  RestTest(const Parameters& p, const Block& b, const BlockState& s) : p_(p), b_(b), q_(s.now), mu_(p.closure.tan_delta * (1 + 1e-12)) {}
+  RestTest(const Parameters& p, const Block& b, const BlockState& s, const Scratch& w)
+      : p_(p), b_(b), q_(s.now), w_(w), mu_(p.closure.tan_delta * (1 + 1e-12)) {}
 
   bool locked(int i, int j) const {
     const int c = b_.at(i, j);
     if (q_.h[c] < p_.dry_depth) return true;
     if (q_.hu[c] != 0 || q_.hv[c] != 0) return false;
     const int gi = b_.i0 + i, gj = b_.j0 + j, row = b_.row();
-    // What rests may take any state between active and passive: it holds where the active one does.
-    const double kx = p_.closure.earth_pressure.x_active, ky = p_.closure.earth_pressure.y_active_active;
-    const Slope x_lo = slope(c, c - 1, kx, gi == 0 && wall(0)), x_hi = slope(c, c + 1, kx, gi == p_.grid.nx - 1 && wall(1));
-    const Slope y_lo = slope(c, c - row, ky, gj == 0 && wall(2)), y_hi = slope(c, c + row, ky, gj == p_.grid.ny - 1 && wall(3));
+    const Range kx{p_.closure.earth_pressure.x_active, w_.kx[c]}, ky{p_.closure.earth_pressure.y_active_active, w_.ky[c]};
+    const Slope x_lo = slope(c, c - 1, w_.kx, gi == 0 && wall(0)), x_hi = slope(c, c + 1, w_.kx, gi == p_.grid.nx - 1 && wall(1));
+    const Slope y_lo = slope(c, c - row, w_.ky, gj == 0 && wall(2)), y_hi = slope(c, c + row, w_.ky, gj == p_.grid.ny - 1 && wall(3));
     double fx = 0, fy = 0;
     return holds(x_lo, x_hi, b_.tan_zeta[i + Block::ghosts], kx, p_.grid.dx, fx) && holds(y_lo, y_hi, 0, ky, p_.grid.dy, fy) &&
            fx * fx + fy * fy <= mu_ * mu_;
@@ -33,26 +39,35 @@ class RestTest {
  private:
   bool wall(int side) const { return p_.wall(side); }
 
-  Slope slope(int c, int n, double k, bool closed) const {
+  Slope slope(int c, int n, const std::vector<double>& k, bool closed) const {
     if (closed) return {};
     const double to_neighbour = n > c ? 1.0 : -1.0;
     const double bed = to_neighbour * (b_.bed[n] - b_.bed[c]);
     const double head_c = q_.h[c] + b_.bed[c], head_n = q_.h[n] + b_.bed[n];
     if (b_.top[n] == b_.top[c]) {
-      if (b_.bed[n] - b_.bed[c] >= k * q_.h[c]) return {};
-      return {true, to_neighbour * (head_n - head_c), bed};
+      if (b_.bed[n] - b_.bed[c] >= k[c] * q_.h[c]) return {};
+      const double h = q_.h[c], beyond = q_.h[n], head = (k[n] * beyond * beyond - k[c] * h * h) / (beyond + h);
+      return {true, to_neighbour * (head_n - head_c), bed, to_neighbour * head};
     }
     const double sill = std::max(b_.bed[c] + b_.top[c], b_.bed[n] + b_.top[n]);
     const double over_c = head_c + b_.top[c] - sill, over_n = std::max(0.0, head_n + b_.top[n] - sill);
     if (over_c <= 0) return {};
-    return {true, to_neighbour * (over_n - over_c), bed};
+    const double over = to_neighbour * (over_n - over_c);
+    return {true, over, bed, k[c] * over};
   }
 
-  // Each one-sided driving force is within friction; force: their mean. Between two closed sides nothing can move.
-  bool holds(const Slope& lo, const Slope& hi, double drive, double k, double spacing, double& force) const {
-    const auto driving = [&](const Slope& s) { return drive - (k * s.surface + (1 - k) * s.bed) / spacing; };
-    const double a = lo.exists ? driving(lo) : driving(hi), b = hi.exists ? driving(hi) : driving(lo);
+  // Each one-sided driving force is within friction, with the states of both cells or with some other state of this one's range;
+  // force: their mean. Between two closed sides nothing can move.
+  bool holds(const Slope& lo, const Slope& hi, double drive, const Range& k, double spacing, double& force) const {
+    const auto driving = [&](const Slope& s) {
+      const auto with = [&](double k) { return drive - (k * s.surface + (1 - k) * s.bed) / spacing; };
+      const auto [least, most] = std::minmax({with(k.least), with(k.most), drive - (s.head + s.bed) / spacing});
+      return std::clamp(0.0, least, most);
+    };
     if (!lo.exists && !hi.exists) return true;
+    // What drives it against a closed side is held there.
+    const double a = lo.exists ? driving(lo) : std::max(0.0, driving(hi)), b = hi.exists ? driving(hi) : std::min(0.0, driving(lo));
+    if (!lo.exists || !hi.exists) return std::abs(force = lo.exists ? b : a) <= mu_;
     force = 0.5 * (a + b);
     return std::abs(a) <= mu_ && std::abs(b) <= mu_;
   }
@@ -60,6 +75,7 @@ class RestTest {
   const Parameters& p_;
   const Block& b_;
   const Fields& q_;
+  const Scratch& w_;
   double mu_;
 };
 
@@ -93,7 +109,7 @@ bool find_dry(const Parameters& p, const Block& b, const BlockState& s, double* 
 }  // namespace
 
 void find_locked(const Parameters& p, const Block& b, const BlockState& s, Scratch& w) {
-  const RestTest test(p, b, s);
+  const RestTest test(p, b, s, w);
   for (int j = -1; j <= b.ny; ++j) {
     const bool still = find_dry(p, b, s, w.loose.data(), j);
     if (!still || !with_friction(p)) continue;  // without friction nothing else is locked

@@ -7,6 +7,7 @@
 
 #include "continuum/scheme/effects.hpp"
 #include "continuum/scheme/face_flux.hpp"
+#include "continuum/scheme/min_max.hpp"
 #include "continuum/scheme/mobilisation.hpp"
 #include "continuum/scheme/reconstruct.hpp"
 #include "continuum/scheme/rest.hpp"
@@ -42,7 +43,8 @@ void count_gauges(const BlockFaces& faces, const Block& b, const BlockState& s, 
 
 void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone, BlockState& s, Scratch& w,
                StageName stage, double dt, Tally& t) {
-  const Axis x = Axis::x(b, w, p.grid.dx, p.grid.dy), y = Axis::y(b, w, p.grid.dx, p.grid.dy);
+  const EarthPressure& closure = p.closure.earth_pressure;
+  const Axis x = Axis::x(b, s, w, p.grid.dx, p.grid.dy, closure), y = Axis::y(b, s, w, p.grid.dx, p.grid.dy, closure);
   find_velocity(p, b, s.now, w);
   find_earth_pressure(p, b, s, w);
   find_locked(p, b, s, w);
@@ -63,6 +65,7 @@ double begin_step(const Parameters& p, const Block& b, const BlockFaces& faces, 
   find_velocity(p, b, s.now, w);
   mobilise(p, b, faces.steps, s, w, since);
   find_earth_pressure(p, b, s, w);
+  const double stiffness_x = p.closure.earth_pressure.stiffness_x(), stiffness_y = p.closure.earth_pressure.stiffness_y();
   const auto comes_in = [&](int side) { return p.sides[side].kind == Side::Kind::inflow ? 1 : 0; };
   const int i0 = b.i0 == 0 ? -comes_in(0) : 0, i1 = b.nx + (b.i0 + b.nx == p.grid.nx ? comes_in(1) : 0);
   const int j0 = b.j0 == 0 ? -comes_in(2) : 0, j1 = b.ny + (b.j0 + b.ny == p.grid.ny ? comes_in(3) : 0);
@@ -78,7 +81,9 @@ double begin_step(const Parameters& p, const Block& b, const BlockFaces& faces, 
       for (int i = i0; i < i1; ++i) {
         const int c = row + i;
         const double gh = weight[i] * std::max(0.0, h[c]);
-        const double x = earth_pressure ? kx[c] * gh : gh, y = earth_pressure ? ky[c] * gh : gh;
+        // Disturbances of K cross one cell a step at most: at the CFL number 0.45 a fifth of their speed squared.
+        const double x = earth_pressure ? larger(kx[c], 0.2 * (kx[c] + stiffness_x)) * gh : gh;
+        const double y = earth_pressure ? larger(ky[c], 0.2 * (ky[c] + stiffness_y)) * gh : gh;
         const double here = (std::abs(u[c]) + std::sqrt(x)) / dx + (std::abs(v[c]) + std::sqrt(y)) / dy;
         rate = std::max(rate, here);
         const double all = here + h[c] + hu[c] + hv[c];

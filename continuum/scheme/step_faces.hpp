@@ -18,7 +18,7 @@ namespace couloir {
 
 struct StepFaces {
   std::vector<int> x, y;   // face indices that the block's fluxes or slopes meet
-  std::vector<int> cells;  // cells of the interior and first ghost layer that touch one
+  std::vector<int> cells;  // cells of the interior that touch one
 
   StepFaces() = default;
   explicit StepFaces(const Block&);
