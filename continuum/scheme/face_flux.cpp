@@ -30,8 +30,8 @@ inline double foot(double h, double over, double gained, double weight, double d
 // faster speed, where K can still follow. Else nothing damps those waves.
 inline double resistance(double compression, double h, double k, double stiffness, double weight, double least, double most) {
   const double speed = std::sqrt((k + stiffness) * weight * h) - std::sqrt(k * weight * h);
-  const bool follows = compression > 0 ? least < 1 : most > 0;
-  return follows ? 0.5 * h * speed * compression : 0.0;
+  const double room = compression > 0 ? 1 - least : most;
+  return room > 0 ? 0.5 * h * speed * compression : 0.0;
 }
 
 // Without relief h* = h and the bed does not push: the same bits for less work.
@@ -67,7 +67,7 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
         n.momentum += resistance(un_hi[l] - un_lo[r], smaller(over_l, over_r), 0.5 * (kl + kr), stiffness, weight[i],
                                  smaller(passive[l], passive[r]), larger(passive[l], passive[r]));
       }
-      const double m = n.mass * (n.mass > 0 ? loose[l] : loose[r]);
+      const double m = n.mass * larger(loose[l], loose[r]);
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
       normal[r] = n.momentum;

@@ -59,7 +59,7 @@ void step_face_fluxes(const StepFaces& steps, const Block& b, const Scratch& w, 
     const double hl = f.h_hi[l], hr = f.h_lo[r], ul = f.un_hi[l], ur = f.un_lo[r];
     const double over_l = std::clamp(hl - (sill - floor_l), 0.0, hl), over_r = std::clamp(hr - (sill - floor_r), 0.0, hr);
     const NormalFlux n = hll(over_l, ul, gl, over_r, ur, gr);
-    out.mass[c] = n.mass * (n.mass > 0 ? w.loose[l] : w.loose[r]);
+    out.mass[c] = n.mass * std::max(w.loose[l], w.loose[r]);
     out.tangent[c] = out.mass[c] * (out.mass[c] > 0 ? f.ut_hi[l] : f.ut_lo[r]);
     out.normal[c] = n.momentum;
     out.normal_below[c] = (n.momentum - wall_flux(over_l, ul, gl)) + wall_flux(hl, ul, gl);
