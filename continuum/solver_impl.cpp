@@ -83,6 +83,7 @@ void Solver::Impl::step(double dt) {
   for (int halvings = 0;; ++halvings) {
     zone.limit(dt, std::ldexp(0.5, -halvings), [&](int i, int j) { return get(i, j).h; });
     choose_blocks(false);
+    for (int side = 0; side < 4; ++side) parameters.discharge[side] = mean_discharge(settings.sides[side], time, end);
     run(StageName::predictor, dt);
     choose_blocks(true);
     fill_ghosts(end, Moment::before);

@@ -26,6 +26,14 @@ InflowPoint inflow_at(const Side& side, double time, Moment moment) {
   return {time, (1 - w) * before.depth + w * after->depth, (1 - w) * before.velocity + w * after->velocity};
 }
 
+double mean_discharge(const Side& side, double from, double to) {
+  const auto at = [&](double time, Moment moment) {
+    const InflowPoint p = inflow_at(side, time, moment);
+    return p.depth * p.velocity;
+  };
+  return (at(from, Moment::after) + 4 * at(0.5 * (from + to), Moment::after) + at(to, Moment::before)) / 6;
+}
+
 double next_row(const Side& side, double time) {
   double next = std::numeric_limits<double>::infinity();
   if (side.kind != Side::Kind::inflow) return next;

@@ -28,6 +28,9 @@ enum class Moment { before, after };
 // What comes in at a time [s]; its time is that time. Nothing: depth and velocity 0.
 InflowPoint inflow_at(const Side&, double time, Moment = Moment::after);
 
+// [m2/s] depth times velocity, the mean from one time to another with no row of the hydrograph between: both are linear there.
+double mean_discharge(const Side&, double from, double to);
+
 // [s] the first row of a hydrograph after a time, of a side or of all; infinity: there is none. No step should reach over it.
 double next_row(const Side&, double time);
 double next_row(const std::array<Side, 4>&, double time);

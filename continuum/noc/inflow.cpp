@@ -10,12 +10,24 @@ namespace couloir {
 
 using noc::Point;
 
+namespace {
+
+// An inflow that is slower than its waves stands at the side with its discharge at the critical depth (q^2/g)^(1/3): a deeper one
+// would let in what its pressure drives, many times as much where the flow runs off.
+InflowPoint at_least_critical(InflowPoint in, double g) {
+  const double q = in.depth * in.velocity, critical = std::cbrt(q * q / g);
+  if (in.depth > critical && q > 0) in.depth = critical, in.velocity = q / critical;
+  return in;
+}
+
+}  // namespace
+
 // What comes in at a time; an inflow that has run dry is a wall. False: as it was.
 bool NocSolver::Impl::set_inflow(double at) {
   bool changed = false;
   for (int side = 0; side < 4; ++side) {
     if (sides[side].kind != Side::Kind::inflow) continue;
-    const InflowPoint p = inflow_at(sides[side], at);
+    const InflowPoint p = at_least_critical(inflow_at(sides[side], at), terrain.weight(side == 1 ? terrain.quarters_x() - 1 : 0));
     Side& s = settings.sides[side];
     const Side::Kind kind = p.depth > 0 ? Side::Kind::inflow : Side::Kind::wall;
     changed = changed || s.kind != kind || s.depth != p.depth || s.velocity != p.velocity;
@@ -89,7 +101,7 @@ FlowState NocSolver::Impl::inflow_change(int side, int k, int cell, double dt) {
   std::vector<double>& owed = inflow_owed[side];
   const int n = static_cast<int>(owed.size());
   const auto entered = [&](int corner) { return (corner == 0 || corner == n ? 1.0 : 0.5) * inflow_entered[side][corner]; };
-  owed[k] += dt * s.depth * s.velocity / (along_x ? settings.grid.dx : settings.grid.dy) - (entered(k) + entered(k + 1));
+  owed[k] += dt * mean_discharge(sides[side], time, time + dt) / (along_x ? settings.grid.dx : settings.grid.dy) - (entered(k) + entered(k + 1));
 
   const Fields& q = centres.q;
   const int i = along_x ? (low ? 0 : settings.grid.nx - 1) : k, j = along_x ? k : (low ? 0 : settings.grid.ny - 1);

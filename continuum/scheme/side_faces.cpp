@@ -28,13 +28,12 @@ double specific_force(double q, double h, double g) {
   return q * q / h + pressure(h, g);
 }
 
-// Momentum that comes in with the discharge h u. What is slower than its waves takes the depth of the flow inside, or the critical
+// Momentum that comes in with a discharge. What is slower than its waves takes the depth of the flow inside, or the critical
 // one where that is less; what is faster brings its own, unless the flow inside is deep enough to drown it.
-double inflow_momentum(const InflowPoint& in, double inside, double g) {
-  const double q = in.depth * in.velocity, critical = std::cbrt(q * q / g);
+double inflow_momentum(double q, double depth, double inside, double g) {
   if (q == 0) return pressure(inside, g);
-  const double drowned = specific_force(q, std::max(inside, critical), g);
-  return in.depth < critical ? std::max(specific_force(q, in.depth, g), drowned) : drowned;
+  const double critical = std::cbrt(q * q / g), drowned = specific_force(q, std::max(inside, critical), g);
+  return depth > 0 && depth < critical ? std::max(specific_force(q, depth, g), drowned) : drowned;
 }
 
 }  // namespace
@@ -46,11 +45,10 @@ void side_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Fa
     const double outward = low ? -1 : 1;
     const Side::Kind kind = p.sides[side].kind;
     if (p.comes_in(side)) {
-      const InflowPoint& in = p.inflow[side];
       const double h = low ? v.h_lo[inside] : v.h_hi[inside], g = axis.k[inside] * axis.weight[column + Block::ghosts];
-      f.mass[face] = -outward * in.depth * in.velocity;
+      f.mass[face] = -outward * p.discharge[side];
       f.tangent[face] = 0;
-      f.normal[face] = f.normal_below[face] = f.normal_above[face] = inflow_momentum(in, h, g);
+      f.normal[face] = f.normal_below[face] = f.normal_above[face] = inflow_momentum(p.discharge[side], p.inflow[side].depth, h, g);
       return;
     }
     const bool closed = p.wall(side) || (kind == Side::Kind::outflow && outward * axis.un[inside] < 0);

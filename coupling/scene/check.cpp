@@ -135,8 +135,8 @@ struct Checker {
   void release() const {
     const ReleaseSpec& r = scene.release;
     if (r.kind == ReleaseSpec::Kind::none) {
-      if (scene.sides[0].kind != SideSpec::Kind::inflow)
-        fail("release.kind", "is none, but boundaries.upstream is no inflow: there would be no material; give one of both");
+      if (std::ranges::none_of(scene.sides, [](const SideSpec& side) { return side.kind == SideSpec::Kind::inflow; }))
+        fail("release.kind", "is none, but no side is an inflow: there would be no material; give one of both");
       return;
     }
     if (r.kind == ReleaseSpec::Kind::uniform) return;

@@ -34,7 +34,7 @@ TEST(Inflow, ClosesTheLedgersOfTheContinuum) {
   const WindowReport& last = run.windows.back();
   EXPECT_EQ(last.mass.initial, 0);
   const double entered = scene.material.density * scene.terrain.width * inflow_volume(scene, scene.sides[0]);
-  EXPECT_NEAR(last.mass.entered, entered, 0.01 * entered);
+  EXPECT_NEAR(last.mass.entered, entered, 1e-9 * entered);
   EXPECT_GT(last.mass.left_domain, 0);
   for (const WindowReport& w : run.windows) EXPECT_LT(std::abs(w.momentum.residual), 1e-12 * w.momentum.scale + 1e-15);
   ASSERT_EQ(last.gauges.size(), 2u);

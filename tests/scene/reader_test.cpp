@@ -110,7 +110,7 @@ TEST_F(Reader, SaysWhatIsWrongWithAnInflow) {
   EXPECT_THAT(with("{kind: silo, gate: 3 mm}"), HasSubstr("too narrow for grains of 4 mm"));
   EXPECT_THAT(with("{depth: 1 cm, velocity: 1, gate: 3 mm}"),
               HasSubstr("gate does not belong to kind 'uniform'; it is for silo"));
-  EXPECT_THAT(error(good_scene, {{"release", "{kind: none}"}}), HasSubstr("boundaries.upstream is no inflow"));
+  EXPECT_THAT(error(good_scene, {{"release", "{kind: none}"}}), HasSubstr("no side is an inflow"));
   EXPECT_THAT(error(good_scene, {{"record.gauges", "{far: {position: [3 m, 0]}}"}}), HasSubstr("outside of the domain"));
 }
 
