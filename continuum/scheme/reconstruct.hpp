@@ -79,11 +79,33 @@ void reconstruct(const Block& b, const Axis& axis, const double* __restrict smoo
   }
 }
 
+// The surface; where the bed is level it follows the depth, whose slope may be held (above): else the bed would seem to slope there.
+template <class L, bool flattening>
+void reconstruct_surface(const Block& b, const Axis& axis, const double* __restrict smooth, const double* __restrict eta,
+                         const double* __restrict h_lo, const double* __restrict h_hi, double* __restrict lo,
+                         double* __restrict hi) {
+  const int step = axis.step;
+  const double* bed = b.bed.data();
+  for (int j = axis.first_j(); j < axis.faces_j; ++j) {
+    const int begin = b.at(axis.first_i(), j), end = b.at(axis.faces_i, j);
+#pragma omp simd
+    for (int c = begin; c < end; ++c) {
+      const double half = 0.5 * (flattening ? smooth[c] : 1.0) * L::slope(eta[c] - eta[c - step], eta[c + step] - eta[c]);
+      const double uneven = std::abs(bed[c] - bed[c - step]) + std::abs(bed[c + step] - bed[c]);
+      lo[c] = uneven > 0 ? eta[c] - half : h_lo[c] + bed[c];
+      hi[c] = uneven > 0 ? eta[c] + half : h_hi[c] + bed[c];
+    }
+  }
+}
+
 template <class L, bool flattening>
 void reconstruct_each(const Block& b, const Axis& axis, const Fields& q, const Scratch& w, FaceValues& f) {
   const double* smooth = w.smooth.data();
   reconstruct_depth<L, flattening>(b, axis, smooth, q.h.data(), f.h_lo.data(), f.h_hi.data());
-  if (with_relief(b)) reconstruct<L, flattening>(b, axis, smooth, w.eta.data(), f.eta_lo.data(), f.eta_hi.data());
+  if (with_relief(b)) {
+    reconstruct_surface<L, flattening>(b, axis, smooth, w.eta.data(), f.h_lo.data(), f.h_hi.data(), f.eta_lo.data(),
+                                       f.eta_hi.data());
+  }
   reconstruct<L, flattening>(b, axis, smooth, axis.un, f.un_lo.data(), f.un_hi.data());
   reconstruct<L, flattening>(b, axis, smooth, axis.ut, f.ut_lo.data(), f.ut_hi.data());
 }

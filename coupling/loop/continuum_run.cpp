@@ -41,7 +41,7 @@ class ContinuumRun : public ModeRun {
     flow_->advance_to(w.time);
     cpu_continuum_ = flow_->cpu();
     flow_->report(w);
-    book_.close(w.momentum, flow_->momentum());
+    book_.close(w.momentum, flow_->momentum(), w.mass.continuum * w.max_speed);
     for (int k = 0; k < int(scene_.obstacles.size()); ++k) {
       w.obstacles.push_back(flow_->force(k, w.length));
       w.overtopped += flow_->overtopped(k);
