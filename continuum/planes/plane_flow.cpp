@@ -224,12 +224,22 @@ void PlaneFlow::limit_outflow(StageName name, double dt) {
   }
 }
 
+// What comes over an edge pushes the cell that it meets.
+void PlaneFlow::loosen_where_it_comes_in() {
+  for (SideName side : all_sides) {
+    for (int k = 0; k < faces(side); ++k) {
+      if (imposed_[static_cast<int>(side)][k].mass != 0) scratch_.loose[edge_index(side, k)] = 1;
+    }
+  }
+}
+
 void PlaneFlow::stage(StageName name, double dt, Tally& t) {
   Scratch& w = scratch_;
   const Block& b = block_;
   find_closures();
   if (settings_.weight > 0 && settings_.drive_b == 0) {
     find_locked(parameters_, b, state_, w);
+    loosen_where_it_comes_in();
   } else {
     std::fill(w.loose.begin(), w.loose.end(), 1.0);
   }

@@ -79,6 +79,7 @@ class PlaneFlow {
   void find_closures();
   bool at_work() const;  // has material, or gets some
   void limit_outflow(StageName, double dt);
+  void loosen_where_it_comes_in();
   void stage(StageName, double dt, Tally&);
   int edge_index(SideName, int k) const;  // of the cell inside
 
