@@ -130,5 +130,28 @@ TEST(EarthPressure, StaysAsItIsInADeposit) {
   for (int i = 0; i < 60; ++i) EXPECT_EQ(solver.earth_pressure(i, 1), rest[i]) << i;
 }
 
+// Waves of the earth pressure are damped: without friction nothing else would even out ripples of a few cells.
+TEST(EarthPressure, RaisesNoRipples) {
+  struct Basin {
+    double slope, speed, until;
+  };
+  for (const Basin& basin : {Basin{0, 0.3, 0.8}, Basin{5, 0, 0.3}}) {
+    double coarse = 0;
+    for (const int n : {200, 400, 800}) {
+      SolverSettings s;
+      s.grid = {n, 1, 1.0 / n, 1.0 / n, 0, 0};
+      s.sides = sides(Side::Kind::wall, Side::Kind::wall);
+      s.closure = {EarthPressure::active_passive(degrees(37), 0), 0, true};
+      Solver solver(s, ReferenceSurface::incline(degrees(basin.slope), 1), {});
+      solver.set([&](double, double) { return FlowState{0.05, 0.05 * basin.speed, 0}; });
+      solver.advance_to(basin.until);
+      double variation = 0;
+      for (int i = 1; i < n; ++i) variation += std::abs(solver.at(i, 0).h - solver.at(i - 1, 0).h);
+      if (n == 200) coarse = variation;
+      EXPECT_LT(variation, 1.2 * coarse) << n << " cells, slope " << basin.slope;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace couloir::test

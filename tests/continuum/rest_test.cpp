@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "scenes.hpp"
 
 namespace couloir::test {
@@ -106,6 +108,36 @@ TEST(Rest, PileAboveYieldMovesAndThenRestsExactly) {
     solver.advance_to(1.7);
     EXPECT_EQ(bits(solver), rest);
     EXPECT_NEAR(solver.volume(), volume + solver.budget().mass_boundary, 1e-14 * volume);
+  }
+}
+
+// On a slope above its friction angle a heap leans on a wall, held by an earth pressure between active and passive. But for the
+// film at its upper toe, which falls back as fast as it is smeared up, nothing moves any more.
+TEST(Rest, AHeapLeaningOnAWallStays) {
+  for (const int n : {100, 200}) {
+    SolverSettings s;
+    s.grid = {n, 1, 1.0 / n, 1.0 / n, 0, 0};
+    s.sides = sides(Side::Kind::wall, Side::Kind::wall);
+    s.closure = {EarthPressure::active_passive(degrees(37), degrees(24)), std::tan(degrees(24)), true};
+    Solver solver(s, ReferenceSurface::incline(degrees(35), 1), {});
+    solver.set([](double, double) { return FlowState{0.01, 0, 0}; });
+    solver.advance_to(4);
+    const Bits then = bits(solver);
+    solver.advance_to(20);
+    const Bits now = bits(solver);
+    const double deepest = *std::ranges::max_element(then.h);
+    EXPECT_GT(deepest, 0.05);
+    int moving = 0;
+    for (int i = 0; i < n; ++i) {
+      if (now.hu[i] != 0) {
+        ++moving;
+        EXPECT_LT(now.h[i], 0.1 * deepest) << n << " cells, cell " << i;
+      }
+      if (then.h[i] > 0.25 * deepest) {
+        EXPECT_EQ(now.h[i], then.h[i]) << n << " cells, cell " << i;
+      }
+    }
+    EXPECT_LT(moving, 12) << n;
   }
 }
 

@@ -130,6 +130,23 @@ TEST(NocConservation, ASlowInflowBringsWhatIsStated) {
   }
 }
 
+// However slow, and however fast the slope carries it off.
+TEST(NocConservation, ATrickleOntoASlopeBringsWhatIsStated) {
+  for (const double slope : {0.0, 30.0, 60.0}) {
+    for (const double velocity : {0.001, 0.01, 0.1}) {
+      SolverSettings s = basin(50, 2, 0.02);
+      s.sides[0] = {Side::Kind::inflow, 0.02, velocity};
+      s.sides[1].kind = Side::Kind::outflow;
+      s.dry_depth = 2e-8;
+      s.closure = quartz();
+      NocSolver solver(s, ReferenceSurface::incline(degrees(slope), 1), {});
+      solver.advance_to(1);
+      const double asked = 0.02 * velocity * 0.04;
+      EXPECT_NEAR(solver.budget().mass_inflow, asked, 1e-6 * asked) << slope << " deg, " << velocity << " m/s";
+    }
+  }
+}
+
 // Steps end at the hydrograph's rows, between which it is linear: what is asked for enters, and after it the side is shut.
 TEST(NocConservation, HydrographGivesWhatItSaysAndThenShuts) {
   SolverSettings s = basin(100, 3, 0.02);
