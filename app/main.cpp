@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <string>
 
 #include "app/verbs.hpp"
 #include "continuum/errors.hpp"
@@ -20,6 +21,18 @@ int fail(int code, const char* kind, const std::exception& error) {
   return code;
 }
 
+// CLI11 names neither the word nor what there is. True: it has been told.
+bool unknown_verb(const CLI::App& app, const std::string& word) {
+  std::string verbs;
+  for (const CLI::App* verb : app.get_subcommands({})) {
+    if (verb->get_name() == word) return false;
+    verbs += verb->get_name() + ", ";
+  }
+  std::fprintf(stderr, "couloir: error in the input: there is no verb '%s'; there are %sand test at the front door ./couloir.\n",
+               word.c_str(), verbs.c_str());
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -32,6 +45,7 @@ int main(int argc, char** argv) {
   add_run(app, exit_code);
   add_report(app, exit_code);
   add_check(app, exit_code);
+  if (argc > 1 && argv[1][0] != '-' && unknown_verb(app, argv[1])) return 2;
   try {
     app.parse(argc, argv);
     return exit_code;

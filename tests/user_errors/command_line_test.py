@@ -89,7 +89,7 @@ class CommandLine(unittest.TestCase):
         self.expect(couloir("plan", SMALL, "--set", "grains.seed"), 2, "a key and a value")
 
     def test_an_unknown_verb(self):
-        self.assertEqual(couloir("fly").returncode, 2)
+        self.expect(couloir("fly"), 2, "no verb 'fly'", "check")
 
     def test_a_report_of_no_run(self):
         self.expect(couloir("report", self.dir), 2, "is not a run folder")
