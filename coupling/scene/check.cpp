@@ -166,6 +166,11 @@ struct Checker {
       fail(key, "covers x from {} to {} and y from {} to {}, which reaches out of the domain (x from 0 to {}, y from {} to {})",
            len(o.x), len(x1), len(y0), len(y1), len(length()), len(-width() / 2), len(width() / 2));
     }
+    const double gaps[] = {o.x, length() - x1, y0 + width() / 2, width() / 2 - y1};
+    for (int side = 0; side < 4; ++side) {
+      if (scene.sides[side].kind == SideSpec::Kind::inflow && gaps[side] < 0.5 * scene.continuum.cell)
+        fail(key, "stands on a side through which material comes in, which would come in on top of it; move it by a cell at least");
+    }
     if (o.shape == ObstacleSpec::Shape::tetrahedron) {
       if (o.method == ObstacleSpec::Method::step) {
         fail(key + ".method", "is step, but a tetrahedron has no upright sides; use elevation, or leave it out");

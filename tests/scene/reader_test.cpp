@@ -111,6 +111,9 @@ TEST_F(Reader, SaysWhatIsWrongWithAnInflow) {
   EXPECT_THAT(with("{depth: 1 cm, velocity: 1, gate: 3 mm}"),
               HasSubstr("gate does not belong to kind 'uniform'; it is for silo"));
   EXPECT_THAT(error(good_scene, {{"release", "{kind: none}"}}), HasSubstr("no side is an inflow"));
+  EXPECT_THAT(error(good_scene, {{"boundaries.upstream", "{inflow: {depth: 20 mm, velocity: 1}}"},
+                                 {"obstacles", "{w: {position: [0, 0], size: [20 mm, 100 mm, 50 mm]}}"}}),
+              HasSubstr("obstacles.w stands on a side through which material comes in"));
   EXPECT_THAT(error(good_scene, {{"record.gauges", "{far: {position: [3 m, 0]}}"}}), HasSubstr("outside of the domain"));
 }
 
