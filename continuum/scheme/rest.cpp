@@ -30,7 +30,8 @@ class RestTest {
     const int gi = b_.i0 + i, gj = b_.j0 + j, row = b_.row();
     const Range kx{p_.closure.earth_pressure.x_active, w_.kx[c]}, ky{p_.closure.earth_pressure.y_active_active, w_.ky[c]};
     const Slope x_lo = slope(c, c - 1, w_.kx, gi == 0 && wall(0)), x_hi = slope(c, c + 1, w_.kx, gi == p_.grid.nx - 1 && wall(1));
-    const Slope y_lo = slope(c, c - row, w_.ky, gj == 0 && wall(2)), y_hi = slope(c, c + row, w_.ky, gj == p_.grid.ny - 1 && wall(3));
+    const Slope y_lo = slope(c, c - row, w_.ky, gj == 0 && wall(2)),
+                y_hi = slope(c, c + row, w_.ky, gj == p_.grid.ny - 1 && wall(3));
     double fx = 0, fy = 0;
     return holds(x_lo, x_hi, b_.tan_zeta[i + Block::ghosts], kx, p_.grid.dx, fx) && holds(y_lo, y_hi, 0, ky, p_.grid.dy, fy) &&
            fx * fx + fy * fy <= mu_ * mu_;
@@ -66,7 +67,8 @@ class RestTest {
     };
     if (!lo.exists && !hi.exists) return true;
     // What drives it against a closed side is held there.
-    const double a = lo.exists ? driving(lo) : std::max(0.0, driving(hi)), b = hi.exists ? driving(hi) : std::min(0.0, driving(lo));
+    const double a = lo.exists ? driving(lo) : std::max(0.0, driving(hi)),
+                 b = hi.exists ? driving(hi) : std::min(0.0, driving(lo));
     if (!lo.exists || !hi.exists) return std::abs(force = lo.exists ? b : a) <= mu_;
     force = 0.5 * (a + b);
     return std::abs(a) <= mu_ && std::abs(b) <= mu_;
@@ -92,7 +94,8 @@ void copy_from_inside(const Parameters& p, const Block& b, std::vector<double>& 
   }
 }
 
-// Dry cells are locked. Returns whether wet ones without momentum are among the others.
+// Dry cells are locked. Returns whether wet ones without momentum are among the others, if that is asked.
+template <bool ask>
 bool find_dry(const Parameters& p, const Block& b, const BlockState& s, double* loose, int j) {
   const double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data(), *open = s.open.data(), dry = p.dry_depth;
   const int begin = b.at(-1, j), end = b.at(b.nx, j);
@@ -101,7 +104,7 @@ bool find_dry(const Parameters& p, const Block& b, const BlockState& s, double* 
   for (int c = begin; c <= end; ++c) {
     const bool wet = !(open[c] == 1 && h[c] < dry);
     loose[c] = wet ? 1.0 : 0.0;
-    still += wet && hu[c] == 0 && hv[c] == 0 ? 1.0 : 0.0;
+    if constexpr (ask) still += wet && hu[c] == 0 && hv[c] == 0 ? 1.0 : 0.0;
   }
   return still > 0;
 }
@@ -110,12 +113,13 @@ bool find_dry(const Parameters& p, const Block& b, const BlockState& s, double* 
 
 void find_locked(const Parameters& p, const Block& b, const BlockState& s, Scratch& w) {
   const RestTest test(p, b, s, w);
+  double* loose = w.loose.data();
   for (int j = -1; j <= b.ny; ++j) {
-    const bool still = find_dry(p, b, s, w.loose.data(), j);
-    if (!still || !with_friction(p)) continue;  // without friction nothing else is locked
-    for (int i = -1; i <= b.nx; ++i) {
+    // Without friction nothing else is locked.
+    const bool still = with_friction(p) ? find_dry<built::friction>(p, b, s, loose, j) : find_dry<false>(p, b, s, loose, j);
+    for (int i = -1; still && i <= b.nx; ++i) {
       const int c = b.at(i, j);
-      if (s.open[c] == 1 && test.locked(i, j)) w.loose[c] = 0;
+      if (s.open[c] == 1 && test.locked(i, j)) loose[c] = 0;
     }
   }
   copy_from_inside(p, b, w.loose);
