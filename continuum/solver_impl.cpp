@@ -123,7 +123,8 @@ void Solver::Impl::refresh() {
   }
   strained = 0;
   if (with_earth_pressure(parameters)) {
-    for (int b : chosen) ghosts.fill_passive(states, b);
+#pragma omp parallel for num_threads(settings.threads) schedule(static)
+    for (int k = 0; k < n; ++k) ghosts.fill_passive(states, chosen[k]);
   }
   if (std::ranges::any_of(rates, [](double r) { return std::isinf(r); })) check_finite();
   rate = *std::max_element(rates.begin(), rates.end());

@@ -92,6 +92,13 @@ void Ghosts::plan_cell(const Mesh& mesh, const std::array<Side, 4>& sides, int b
   }
 }
 
+template <class F>
+void Ghosts::for_all(int block, F&& take) const {
+  for (const Copy& c : plans_[block].copies) take(c);
+  for (const Mirror& m : plans_[block].mirrors) take(m.copy);
+  for (const Fixed& f : plans_[block].fixed) take(f.copy);
+}
+
 void Ghosts::extend(Mesh& mesh) const {
   for (std::size_t k = 0; k < plans_.size(); ++k) {
     Block& b = mesh.blocks()[k];
@@ -101,9 +108,7 @@ void Ghosts::extend(Mesh& mesh) const {
       b.top[c.to] = other.top[c.from.cell];
       b.obstacle[c.to] = other.obstacle[c.from.cell];
     };
-    for (const Copy& c : plans_[k].copies) take(c);
-    for (const Mirror& m : plans_[k].mirrors) take(m.copy);
-    for (const Fixed& f : plans_[k].fixed) take(f.copy);
+    for_all(static_cast<int>(k), take);
   }
   // All blocks or none: two that share a face must reconstruct its depths alike.
   const bool relief = std::any_of(mesh.blocks().begin(), mesh.blocks().end(), [](const Block& b) {
@@ -152,17 +157,13 @@ void Ghosts::fill_passive(std::vector<BlockState>& states, int block) const {
     to.passive_x[c.to] = from.passive_x[c.from.cell];
     to.passive_y[c.to] = from.passive_y[c.from.cell];
   };
-  for (const Copy& c : plans_[block].copies) take(c);
-  for (const Mirror& m : plans_[block].mirrors) take(m.copy);
-  for (const Fixed& f : plans_[block].fixed) take(f.copy);
+  for_all(block, take);
 }
 
 void Ghosts::fill_open(std::vector<BlockState>& states, int block) const {
   std::vector<double>& to = states[block].open;
   const auto take = [&](const Copy& c) { to[c.to] = states[c.from.block].open[c.from.cell]; };
-  for (const Copy& c : plans_[block].copies) take(c);
-  for (const Mirror& m : plans_[block].mirrors) take(m.copy);
-  for (const Fixed& f : plans_[block].fixed) take(f.copy);
+  for_all(block, take);
   states[block].all_open = std::all_of(to.begin(), to.end(), [](double o) { return o == 1; });
 }
 

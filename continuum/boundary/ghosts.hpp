@@ -50,6 +50,8 @@ class Ghosts {
     std::vector<Mirror> mirrors;
     std::vector<Fixed> fixed;
   };
+  template <class F>
+  void for_all(int block, F&& take) const;  // take(copy) for each ghost, turned or not
   void plan_cell(const Mesh&, const std::array<Side, 4>&, int block, int i, int j);
 
   std::array<Side, 4> sides_;

@@ -25,13 +25,14 @@ struct EarthPressure {
   // Between active and passive: compression in x and y as a share in [0, 1] of what mobilises the passive state; 0 and 1 give
   // the values of kx, ky above.
   double kx_mobilised(double x) const { return (1 - x) * x_active + x * x_passive; }
-  // K answers strain: between the states its disturbances travel at sqrt((K + stiffness) g cos(zeta) h).
-  double stiffness_x() const { return 0.5 / passive_strain * (x_passive - x_active); }
-  double stiffness_y() const { return 0.5 / passive_strain * (y_passive_passive - y_active_passive); }
   double ky_mobilised(double x, double y) const {
     return (1 - x) * ((1 - y) * y_active_active + y * y_passive_active) +
            x * ((1 - y) * y_active_passive + y * y_passive_passive);
   }
+
+  // K answers strain: between the states its disturbances travel at sqrt((K + stiffness) g cos(zeta) h).
+  double stiffness_x() const { return 0.5 / passive_strain * (x_passive - x_active); }
+  double stiffness_y() const { return 0.5 / passive_strain * (y_passive_passive - y_active_passive); }
 };
 
 }  // namespace couloir

@@ -121,8 +121,9 @@ double PlaneFlow::stable_dt() const {
     for (int i = 0; i < block_.nx; ++i) {
       const int c = block_.at(i, j);
       const double gh = settings_.weight * std::max(0.0, state_.now.h[c]);
-      rate = std::max(rate, (std::abs(scratch_.u[c]) + std::sqrt(std::max(scratch_.kx[c], 0.2 * (scratch_.kx[c] + closure.stiffness_x())) * gh)) / g.dx +
-                                (std::abs(scratch_.v[c]) + std::sqrt(std::max(scratch_.ky[c], 0.2 * (scratch_.ky[c] + closure.stiffness_y())) * gh)) / g.dy);
+      rate =
+          std::max(rate, (std::abs(scratch_.u[c]) + std::sqrt(k_of_step(scratch_.kx[c], closure.stiffness_x()) * gh)) / g.dx +
+                             (std::abs(scratch_.v[c]) + std::sqrt(k_of_step(scratch_.ky[c], closure.stiffness_y()) * gh)) / g.dy);
     }
   }
   // As the slope's solver: gravity may speed up what is slow now.

@@ -10,6 +10,7 @@
 //   docs/decisions/0004.
 
 #include "continuum/mesh/block.hpp"
+#include "continuum/scheme/min_max.hpp"
 #include "continuum/scheme/parameters.hpp"
 #include "continuum/scheme/scratch.hpp"
 #include "continuum/scheme/step_faces.hpp"
@@ -21,5 +22,11 @@ void mobilise(const Parameters&, const Block&, const StepFaces&, BlockState&, Sc
 
 // K_x, K_y of all cells by their shares.
 void find_earth_pressure(const Parameters&, const Block&, const BlockState&, Scratch&);
+
+// The K of the stable step: waves of K h; and disturbances of K, which cross one cell a step at most, at the CFL number 0.45 a fifth
+// of their speed squared.
+inline double k_of_step(double k, double stiffness) {
+  return larger(k, 0.2 * (k + stiffness));
+}
 
 }  // namespace couloir

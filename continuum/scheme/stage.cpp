@@ -7,7 +7,6 @@
 
 #include "continuum/scheme/effects.hpp"
 #include "continuum/scheme/face_flux.hpp"
-#include "continuum/scheme/min_max.hpp"
 #include "continuum/scheme/mobilisation.hpp"
 #include "continuum/scheme/reconstruct.hpp"
 #include "continuum/scheme/rest.hpp"
@@ -81,9 +80,8 @@ double begin_step(const Parameters& p, const Block& b, const BlockFaces& faces, 
       for (int i = i0; i < i1; ++i) {
         const int c = row + i;
         const double gh = weight[i] * std::max(0.0, h[c]);
-        // Disturbances of K cross one cell a step at most: at the CFL number 0.45 a fifth of their speed squared.
-        const double x = earth_pressure ? larger(kx[c], 0.2 * (kx[c] + stiffness_x)) * gh : gh;
-        const double y = earth_pressure ? larger(ky[c], 0.2 * (ky[c] + stiffness_y)) * gh : gh;
+        const double x = earth_pressure ? k_of_step(kx[c], stiffness_x) * gh : gh;
+        const double y = earth_pressure ? k_of_step(ky[c], stiffness_y) * gh : gh;
         const double here = (std::abs(u[c]) + std::sqrt(x)) / dx + (std::abs(v[c]) + std::sqrt(y)) / dy;
         rate = std::max(rate, here);
         const double all = here + h[c] + hu[c] + hv[c];
