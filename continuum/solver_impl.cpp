@@ -32,7 +32,7 @@ void check(const SolverSettings& s, const ReferenceSurface& surface) {
 }
 
 Parameters parameters_of(const SolverSettings& s) {
-  return {s.grid, s.closure, s.limiter, s.sides, s.dry_depth, {}};
+  return {s.closure, s.limiter, s.sides, s.dry_depth, {}};
 }
 
 }  // namespace

@@ -6,12 +6,15 @@
 
 #include <vector>
 
+#include "continuum/mesh/grid.hpp"
+
 namespace couloir {
 
 struct Block {
   static constexpr int ghosts = 2;
 
-  int i0 = 0, j0 = 0;  // grid indices of local cell (0, 0)
+  Grid grid;           // of all cells of this size
+  int i0 = 0, j0 = 0;  // indices in it of local cell (0, 0)
   int nx = 0, ny = 0;
 
   int row() const { return nx + 2 * ghosts; }

@@ -33,6 +33,7 @@ Mesh::Mesh(const Grid& grid, int edge, const ReferenceSurface& surface, const St
   for (int bj = 0; bj < blocks_y_; ++bj) {
     for (int bi = 0; bi < blocks_x_; ++bi) {
       Block b;
+      b.grid = grid;
       b.i0 = bi * edge, b.j0 = bj * edge;
       b.nx = std::min(edge, grid.nx - b.i0), b.ny = std::min(edge, grid.ny - b.j0);
       lay_columns(b, surface, gravity, curvature);

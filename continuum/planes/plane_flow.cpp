@@ -18,7 +18,7 @@ namespace {
 constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
 
 Parameters parameters_of(const PlaneSettings& s) {
-  Parameters p{s.grid, s.closure, s.limiter, {}, s.dry_depth, {}};
+  Parameters p{s.closure, s.limiter, {}, s.dry_depth, {}};
   if (s.foot) p.sides[0].kind = Side::Kind::wall;
   return p;
 }
@@ -27,6 +27,7 @@ Parameters parameters_of(const PlaneSettings& s) {
 
 PlaneFlow::PlaneFlow(const PlaneSettings& s) : settings_(s), parameters_(parameters_of(s)) {
   Block& b = block_;
+  b.grid = s.grid;
   b.nx = s.grid.nx, b.ny = s.grid.ny;
   b.bed.assign(b.size(), 0.0);
   b.top.assign(b.size(), 0.0);
@@ -245,7 +246,7 @@ void PlaneFlow::stage(StageName name, double dt, Tally& t) {
     std::fill(w.loose.begin(), w.loose.end(), 1.0);
   }
   const EarthPressure& closure = parameters_.closure.earth_pressure;
-  const Axis x = Axis::x(b, state_, w, grid().dx, grid().dy, closure), y = Axis::y(b, state_, w, grid().dx, grid().dy, closure);
+  const Axis x = Axis::x(b, state_, w, closure), y = Axis::y(b, state_, w, closure);
   for (const Axis& axis : {x, y}) {
     find_shocks(parameters_, b, axis, state_.now, w.smooth);
     reconstruct_all(parameters_, b, axis, state_.now, w, w.values);

@@ -42,7 +42,7 @@ class PlaneFlow {
  public:
   explicit PlaneFlow(const PlaneSettings&);
 
-  const Grid& grid() const { return parameters_.grid; }
+  const Grid& grid() const { return block_.grid; }
   double weight() const { return settings_.weight; }  // [m/s2]
   FlowState at(int i, int j) const;
   void set(int i, int j, const FlowState&);

@@ -23,13 +23,13 @@ struct Axis {
   FaceFluxes* fluxes;
   double* source;
 
-  static Axis x(const Block& b, const BlockState& s, Scratch& w, double dx, double dy, const EarthPressure& closure) {
+  static Axis x(const Block& b, const BlockState& s, Scratch& w, const EarthPressure& closure) {
     return {true,
             1,
             b.nx + 1,
             b.ny,
-            dx,
-            dy,
+            b.grid.dx,
+            b.grid.dy,
             w.u.data(),
             w.v.data(),
             w.kx.data(),
@@ -40,13 +40,13 @@ struct Axis {
             &w.x,
             w.source_x.data()};
   }
-  static Axis y(const Block& b, const BlockState& s, Scratch& w, double dx, double dy, const EarthPressure& closure) {
+  static Axis y(const Block& b, const BlockState& s, Scratch& w, const EarthPressure& closure) {
     return {false,
             b.row(),
             b.nx,
             b.ny + 1,
-            dy,
-            dx,
+            b.grid.dy,
+            b.grid.dx,
             w.v.data(),
             w.u.data(),
             w.ky.data(),

@@ -34,20 +34,19 @@ void count_box_faces(const std::vector<BoxPart>& parts, const Block& b, const Ax
   }
 }
 
-void count_box_weight(const std::vector<BoxPart>& parts, const Block& b, const BlockState& s, const Grid& grid, double share,
-                      Tally& t) {
+void count_box_weight(const std::vector<BoxPart>& parts, const Block& b, const BlockState& s, double share, Tally& t) {
   for (const BoxPart& part : parts) {
     double sum = 0;
     for_cells(part, b, [&](int c, int i) { sum += s.now.h[c] * b.drive[i + Block::ghosts]; });
-    t.boxes[part.box].weight += share * grid.dx * grid.dy * sum;
+    t.boxes[part.box].weight += share * b.grid.dx * b.grid.dy * sum;
   }
 }
 
-void count_box_friction(const std::vector<BoxPart>& parts, const Block& b, const Scratch& w, const Grid& grid, Tally& t) {
+void count_box_friction(const std::vector<BoxPart>& parts, const Block& b, const Scratch& w, Tally& t) {
   for (const BoxPart& part : parts) {
     std::array<double, 2> sum{};
     for_cells(part, b, [&](int c, int) { sum[0] += w.lost_x[c], sum[1] += w.lost_y[c]; });
-    for (int k : {0, 1}) t.boxes[part.box].friction[k] += grid.dx * grid.dy * sum[k];
+    for (int k : {0, 1}) t.boxes[part.box].friction[k] += b.grid.dx * b.grid.dy * sum[k];
   }
 }
 

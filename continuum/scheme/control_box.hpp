@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "continuum/mesh/block.hpp"
-#include "continuum/mesh/grid.hpp"
 #include "continuum/scheme/axis.hpp"
 #include "continuum/scheme/tally.hpp"
 
@@ -24,9 +23,9 @@ struct BoxPart {
 void count_box_faces(const std::vector<BoxPart>&, const Block&, const Axis&, double share, Tally&);
 
 // The weight along the slope of the state before the update.
-void count_box_weight(const std::vector<BoxPart>&, const Block&, const BlockState&, const Grid&, double share, Tally&);
+void count_box_weight(const std::vector<BoxPart>&, const Block&, const BlockState&, double share, Tally&);
 
 // Friction, and momentum dropped in films, as the update wrote them (Scratch::lost_x, lost_y).
-void count_box_friction(const std::vector<BoxPart>&, const Block&, const Scratch&, const Grid&, Tally&);
+void count_box_friction(const std::vector<BoxPart>&, const Block&, const Scratch&, Tally&);
 
 }  // namespace couloir

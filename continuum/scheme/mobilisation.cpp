@@ -27,7 +27,7 @@ void mobilise(const Parameters& p, const Block& b, const StepFaces& steps, Block
   std::copy(s.passive_x.begin(), s.passive_x.end(), w.kx.begin());
   std::copy(s.passive_y.begin(), s.passive_y.end(), w.ky.begin());
   const int row = b.row();
-  const double dry = p.dry_depth, per_dx = dt / p.grid.dx, per_dy = dt / p.grid.dy;
+  const double dry = p.dry_depth, per_dx = dt / b.grid.dx, per_dy = dt / b.grid.dy;
   const double *h = s.now.h.data(), *u = w.u.data(), *v = w.v.data(), *old_x = w.kx.data(), *old_y = w.ky.data();
   double *x = s.passive_x.data(), *y = s.passive_y.data();
 

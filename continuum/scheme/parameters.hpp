@@ -5,13 +5,11 @@
 
 #include "continuum/boundary/side.hpp"
 #include "continuum/flow/closure.hpp"
-#include "continuum/mesh/grid.hpp"
 #include "continuum/scheme/limiter.hpp"
 
 namespace couloir {
 
 struct Parameters {
-  Grid grid;
   Closure closure;
   Limiter limiter = Limiter::minmod;
   std::array<Side, 4> sides{};

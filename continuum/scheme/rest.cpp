@@ -29,11 +29,11 @@ class RestTest {
     if (q_.hu[c] != 0 || q_.hv[c] != 0) return false;
     const int gi = b_.i0 + i, gj = b_.j0 + j, row = b_.row();
     const Range kx{p_.closure.earth_pressure.x_active, w_.kx[c]}, ky{p_.closure.earth_pressure.y_active_active, w_.ky[c]};
-    const Slope x_lo = slope(c, c - 1, w_.kx, gi == 0 && wall(0)), x_hi = slope(c, c + 1, w_.kx, gi == p_.grid.nx - 1 && wall(1));
+    const Slope x_lo = slope(c, c - 1, w_.kx, gi == 0 && wall(0)), x_hi = slope(c, c + 1, w_.kx, gi == b_.grid.nx - 1 && wall(1));
     const Slope y_lo = slope(c, c - row, w_.ky, gj == 0 && wall(2)),
-                y_hi = slope(c, c + row, w_.ky, gj == p_.grid.ny - 1 && wall(3));
+                y_hi = slope(c, c + row, w_.ky, gj == b_.grid.ny - 1 && wall(3));
     double fx = 0, fy = 0;
-    return holds(x_lo, x_hi, b_.tan_zeta[i + Block::ghosts], kx, p_.grid.dx, fx) && holds(y_lo, y_hi, 0, ky, p_.grid.dy, fy) &&
+    return holds(x_lo, x_hi, b_.tan_zeta[i + Block::ghosts], kx, b_.grid.dx, fx) && holds(y_lo, y_hi, 0, ky, b_.grid.dy, fy) &&
            fx * fx + fy * fy <= mu_ * mu_;
   }
 
@@ -86,11 +86,11 @@ void copy_from_inside(const Parameters& p, const Block& b, std::vector<double>& 
   const auto outside = [&](int side) { return p.wall(side) || p.sides[side].kind == Side::Kind::outflow; };
   for (int j = 0; j < b.ny; ++j) {
     if (b.i0 == 0 && outside(0)) loose[b.at(-1, j)] = loose[b.at(0, j)];
-    if (b.i0 + b.nx == p.grid.nx && outside(1)) loose[b.at(b.nx, j)] = loose[b.at(b.nx - 1, j)];
+    if (b.i0 + b.nx == b.grid.nx && outside(1)) loose[b.at(b.nx, j)] = loose[b.at(b.nx - 1, j)];
   }
   for (int i = 0; i < b.nx; ++i) {
     if (b.j0 == 0 && outside(2)) loose[b.at(i, -1)] = loose[b.at(i, 0)];
-    if (b.j0 + b.ny == p.grid.ny && outside(3)) loose[b.at(i, b.ny)] = loose[b.at(i, b.ny - 1)];
+    if (b.j0 + b.ny == b.grid.ny && outside(3)) loose[b.at(i, b.ny)] = loose[b.at(i, b.ny - 1)];
   }
 }
 

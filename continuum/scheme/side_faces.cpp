@@ -13,7 +13,7 @@ template <class F>
 void for_side_faces(const Parameters& p, const Block& b, const Axis& axis, F&& f) {
   const int low = axis.along_x ? 0 : 2;
   const bool at_low = axis.along_x ? b.i0 == 0 : b.j0 == 0;
-  const bool at_high = axis.along_x ? b.i0 + b.nx == p.grid.nx : b.j0 + b.ny == p.grid.ny;
+  const bool at_high = axis.along_x ? b.i0 + b.nx == b.grid.nx : b.j0 + b.ny == b.grid.ny;
   const int n = axis.along_x ? b.ny : b.nx;
   for (int k = 0; k < n; ++k) {
     const int first = axis.along_x ? b.at(0, k) : b.at(k, 0);

@@ -43,7 +43,7 @@ void count_gauges(const BlockFaces& faces, const Block& b, const BlockState& s, 
 void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone, BlockState& s, Scratch& w,
                StageName stage, double dt, Tally& t) {
   const EarthPressure& closure = p.closure.earth_pressure;
-  const Axis x = Axis::x(b, s, w, p.grid.dx, p.grid.dy, closure), y = Axis::y(b, s, w, p.grid.dx, p.grid.dy, closure);
+  const Axis x = Axis::x(b, s, w, closure), y = Axis::y(b, s, w, closure);
   find_velocity(p, b, s.now, w);
   find_earth_pressure(p, b, s, w);
   find_locked(p, b, s, w);
@@ -55,9 +55,9 @@ void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, con
     count_box_faces(faces.boxes, b, axis, 0.5 * dt, t);
   }
   count_gauges(faces, b, s, x, 0.5 * dt, t);
-  count_box_weight(faces.boxes, b, s, p.grid, 0.5 * dt, t);
+  count_box_weight(faces.boxes, b, s, 0.5 * dt, t);
   update(p, b, s, w, stage, dt, with_relief(b), !faces.boxes.empty(), t);
-  count_box_friction(faces.boxes, b, w, p.grid, t);
+  count_box_friction(faces.boxes, b, w, t);
 }
 
 double begin_step(const Parameters& p, const Block& b, const BlockFaces& faces, BlockState& s, Scratch& w, double since) {
@@ -66,14 +66,14 @@ double begin_step(const Parameters& p, const Block& b, const BlockFaces& faces, 
   find_earth_pressure(p, b, s, w);
   const double stiffness_x = p.closure.earth_pressure.stiffness_x(), stiffness_y = p.closure.earth_pressure.stiffness_y();
   const auto comes_in = [&](int side) { return p.sides[side].kind == Side::Kind::inflow ? 1 : 0; };
-  const int i0 = b.i0 == 0 ? -comes_in(0) : 0, i1 = b.nx + (b.i0 + b.nx == p.grid.nx ? comes_in(1) : 0);
-  const int j0 = b.j0 == 0 ? -comes_in(2) : 0, j1 = b.ny + (b.j0 + b.ny == p.grid.ny ? comes_in(3) : 0);
+  const int i0 = b.i0 == 0 ? -comes_in(0) : 0, i1 = b.nx + (b.i0 + b.nx == b.grid.nx ? comes_in(1) : 0);
+  const int j0 = b.j0 == 0 ? -comes_in(2) : 0, j1 = b.ny + (b.j0 + b.ny == b.grid.ny ? comes_in(3) : 0);
   const auto fastest = [&]<bool earth_pressure>(std::bool_constant<earth_pressure>) {
     double rate = 0, not_finite = 0;
     const double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data(), *u = w.u.data(), *v = w.v.data(),
                  *kx = w.kx.data(), *ky = w.ky.data();
     const double* weight = b.weight.data() + Block::ghosts;
-    const double dx = p.grid.dx, dy = p.grid.dy;
+    const double dx = b.grid.dx, dy = b.grid.dy;
     for (int j = j0; j < j1; ++j) {
       const int row = b.at(0, j);
 #pragma omp simd reduction(max : rate) reduction(+ : not_finite)

@@ -47,7 +47,7 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
   constexpr bool keep_losses = does & keeps_losses, friction = does & has_friction, earth_pressure = does & has_earth_pressure,
                  sources = does & has_sources;
   const int row = b.row(), begin = b.at(0, j);
-  const double per_dx = 1 / p.grid.dx, per_dy = 1 / p.grid.dy, mu = p.closure.tan_delta, dry = p.dry_depth;
+  const double per_dx = 1 / b.grid.dx, per_dy = 1 / b.grid.dy, mu = p.closure.tan_delta, dry = p.dry_depth;
   double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data();
   double *h0 = s.start.h.data(), *hu0 = s.start.hu.data(), *hv0 = s.start.hv.data();
   const double *open = s.open.data(), *loose = w.loose.data(), *u = w.u.data(), *kx = w.kx.data(), *ky = w.ky.data();
@@ -163,7 +163,7 @@ void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, Stag
                         (with_earth_pressure(p) ? has_earth_pressure : 0) | (sources ? has_sources : 0);
   const Row row = (stage == StageName::predictor ? predictors : correctors)[does];
   for (int j = 0; j < b.ny; ++j) row(p, b, s, w, dt, j);
-  const double area = p.grid.dx * p.grid.dy;
+  const double area = b.grid.dx * b.grid.dy;
   t.budget.gravity[0] += area * sum(w.columns[gravity_x]);
   t.budget.gravity[1] += area * sum(w.columns[gravity_y]);
   t.budget.friction[0] += area * sum(w.columns[friction_x]);
