@@ -13,6 +13,7 @@
 #include "continuum/flow/closure.hpp"
 #include "continuum/flow/flow_state.hpp"
 #include "continuum/mesh/grid.hpp"
+#include "continuum/mesh/refinement.hpp"
 #include "continuum/scheme/budget.hpp"
 #include "continuum/scheme/limiter.hpp"
 
@@ -28,6 +29,13 @@ struct SolverSettings {
   double dry_depth = 1e-7;      // [m] below it a cell carries mass but no momentum
   int block = 32;               // cells along a block's edge; central upwind only
   int threads = 1;
+  Refinement refinement;
+};
+
+// A rectangle of cells of one size: local (0, 0) is cell (i0, j0) of the grid halved `level` times.
+struct BlockPlace {
+  int level = 0, i0 = 0, j0 = 0, nx = 0, ny = 0;
+  bool operator==(const BlockPlace&) const = default;
 };
 
 class FlowModel {
@@ -43,6 +51,11 @@ class FlowModel {
   virtual void set(int i, int j, const FlowState&) = 0;
   virtual FlowState at(int i, int j) const = 0;
   virtual void gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const = 0;  // [j * nx + i]
+  // Where cells are refined: the blocks, finest where several lie on one another, and what one holds, [j * nx + i]. Else none.
+  virtual std::vector<BlockPlace> blocks() const { return {}; }
+  virtual void gather_block(int, std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const {
+    h.clear(), hu.clear(), hv.clear();
+  }
   virtual double volume() const = 0;                   // [m3] summed in a fixed order
   virtual std::array<double, 2> momentum() const = 0;  // [m4/s]
   virtual double min_depth() const = 0;                // [m] least depth met so far in an active cell, before any clipping

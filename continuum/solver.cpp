@@ -39,16 +39,30 @@ std::int64_t Solver::cell_updates() const {
 }
 
 void Solver::set(const std::function<FlowState(double x, double y)>& state) {
-  const Grid& g = grid();
-  for (int j = 0; j < g.ny; ++j) {
-    for (int i = 0; i < g.nx; ++i) set(i, j, state(g.x(i), g.y(j)));
-  }
+  Impl& m = *impl_;
+  const auto set_all = [&] {
+    for (BlockState& s : m.states) s.wet = false;
+    m.for_cells([&](int k, int c) {
+      const Block& b = m.mesh.blocks()[k];
+      const int i = b.i0 + c % b.row() - Block::ghosts, j = b.j0 + c / b.row() - Block::ghosts;
+      m.put_in(k, c, state(b.grid.x(i), b.grid.y(j)));
+      if (with_earth_pressure(m.parameters)) m.states[k].passive_x[c] = m.states[k].passive_y[c] = 0;
+    });
+  };
+  set_all();
+  // Finer blocks may ask for still finer ones.
+  for (int level = 0; level < m.settings.refinement.adaptive.levels && m.adapt(); ++level) set_all();
+}
+
+void Solver::fill_to(double surface) {
+  Impl& m = *impl_;
+  m.for_cells([&](int k, int c) { m.put_in(k, c, {std::max(0.0, surface - m.mesh.blocks()[k].bed[c]), 0, 0}); });
 }
 
 void Solver::set(int i, int j, const FlowState& q) {
   require_cell(grid(), i, j);
   impl_->put(i, j, q);
-  impl_->put_passive(i, j, {0, 0});
+  impl_->set_active(i, j);
 }
 
 FlowState Solver::at(int i, int j) const {
@@ -62,6 +76,7 @@ void Solver::gather(std::vector<double>& h, std::vector<double>& hu, std::vector
   h.resize(n), hu.resize(n), hv.resize(n);
   for (std::size_t k = 0; k < impl_->states.size(); ++k) {
     const Block& b = impl_->mesh.blocks()[k];
+    if (b.level > 0) continue;
     const Fields& q = impl_->states[k].now;
     for (int j = 0; j < b.ny; ++j) {
       const std::size_t to = static_cast<std::size_t>(b.j0 + j) * g.nx + b.i0;
@@ -70,19 +85,43 @@ void Solver::gather(std::vector<double>& h, std::vector<double>& hu, std::vector
       std::copy_n(&q.hv[b.at(0, j)], b.nx, &hv[to]);
     }
   }
+  if (!impl_->forest) return;
+  for (int j = 0; j < g.ny; ++j) {
+    for (int i = 0; i < g.nx; ++i) {
+      const std::size_t to = static_cast<std::size_t>(j) * g.nx + i;
+      const FlowState q = impl_->get(i, j);
+      h[to] = q.h, hu[to] = q.hu, hv[to] = q.hv;
+    }
+  }
+}
+
+std::vector<BlockPlace> Solver::blocks() const {
+  std::vector<BlockPlace> all;
+  if (!impl_->forest) return all;
+  for (const Block& b : impl_->mesh.blocks()) all.push_back({b.level, b.i0, b.j0, b.nx, b.ny});
+  return all;
+}
+
+void Solver::gather_block(int block, std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const {
+  const Block& b = impl_->mesh.blocks().at(block);
+  const Fields& q = impl_->states[block].now;
+  h.clear(), hu.clear(), hv.clear();
+  for (int j = 0; j < b.ny; ++j) {
+    for (int c = b.at(0, j); c < b.at(b.nx, j); ++c) h.push_back(q.h[c]), hu.push_back(q.hu[c]), hv.push_back(q.hv[c]);
+  }
 }
 
 double Solver::volume() const {
   double sum = 0;
-  impl_->for_open_cells([&](const Fields& q, int c) { sum += q.h[c]; });
+  impl_->for_cells([&](int k, int c) {
+    const BlockState& s = impl_->states[k];
+    if (s.open[c] != 0) sum += std::ldexp(s.now.h[c], -2 * impl_->mesh.blocks()[k].level);
+  });
   return sum * grid().dx * grid().dy;
 }
 
 std::array<double, 2> Solver::momentum() const {
-  double x = 0, y = 0;
-  impl_->for_open_cells([&](const Fields& q, int c) { x += q.hu[c], y += q.hv[c]; });
-  const double area = grid().dx * grid().dy;
-  return {x * area, y * area};
+  return impl_->momentum();
 }
 
 double Solver::min_depth() const {
@@ -91,8 +130,10 @@ double Solver::min_depth() const {
 
 double Solver::max_speed() const {
   double fastest = 0;
-  impl_->for_open_cells([&](const Fields& q, int c) {
-    if (q.h[c] >= impl_->settings.dry_depth) fastest = std::max(fastest, std::hypot(q.hu[c], q.hv[c]) / q.h[c]);
+  impl_->for_cells([&](int k, int c) {
+    const Fields& q = impl_->states[k].now;
+    const bool counts = impl_->states[k].open[c] != 0 && q.h[c] >= impl_->settings.dry_depth;
+    if (counts) fastest = std::max(fastest, std::hypot(q.hu[c], q.hv[c]) / q.h[c]);
   });
   return fastest;
 }

@@ -35,8 +35,12 @@ class Solver final : public FlowModel {
   // Material that is set is active (mobilisation.hpp).
   void set(const std::function<FlowState(double x, double y)>&) override;
   void set(int i, int j, const FlowState&) override;
+  // A lake: still material up to this height above the reference surface [m].
+  void fill_to(double surface);
   FlowState at(int i, int j) const override;
   void gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const override;
+  std::vector<BlockPlace> blocks() const override;
+  void gather_block(int, std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const override;
   double volume() const override;                   // [m3] of the cells that are not covered
   std::array<double, 2> momentum() const override;  // [m4/s] of the cells that are not covered
   double min_depth() const override;
@@ -58,8 +62,8 @@ class Solver final : public FlowModel {
   FaceFlux passed(SideName, int k) const;
   void reset_rim();
 
-  // On a step of the StepBed the blocked flux at its faces, on elevation the bed's push (scheme/bed_push.hpp); friction on its top
-  // is not in it.
+  // On a step of the StepBed the blocked flux at its faces, on elevation the bed's push (scheme/bed_push.hpp); friction on its
+  // top is not in it.
   std::array<double, 2> obstacle_impulse(int id) const override;
   int add_control_box(const CellBox&) override;
   std::array<double, 2> control_box_impulse(int id) const override;

@@ -3,12 +3,13 @@
 #include <stdexcept>
 
 #include "continuum/bytes.hpp"
+#include "continuum/scheme/effects.hpp"
 #include "continuum/solver_impl.hpp"
 
 namespace couloir {
 namespace {
 
-constexpr std::uint64_t signature = 0x33526c6f75636f63;  // changes with the layout
+constexpr std::uint64_t signature = 0x34526c6f75636f63;  // changes with the layout
 
 constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
 
@@ -19,10 +20,16 @@ std::vector<std::uint8_t> Solver::checkpoint() const {
   ByteWriter put;
   put(signature);
   put(m.settings.grid.nx), put(m.settings.grid.ny), put(static_cast<int>(m.impulse.size()));
-  put(m.time), put(m.steps), put(m.cell_updates), put(m.min_depth), put(m.min_depth_met), put(m.strained);
-  for (int j = 0; j < m.settings.grid.ny; ++j) {
-    for (int i = 0; i < m.settings.grid.nx; ++i) put(m.get(i, j)), put(m.passive(i, j));
-  }
+  put(m.time), put(m.steps), put(m.cell_updates), put(m.min_depth), put(m.min_depth_met);
+  put(static_cast<int>(m.mesh.leaves().size()));
+  for (const Leaf& leaf : m.mesh.leaves()) put(leaf);
+  for (const Impl::Level& l : m.levels) put(l.strained);
+  const bool shares = with_earth_pressure(m.parameters);
+  m.for_cells([&](int k, int c) {
+    const BlockState& s = m.states[k];
+    put(FlowState{s.now.h[c], s.now.hu[c], s.now.hv[c]});
+    if (shares) put(s.passive_x[c]), put(s.passive_y[c]);
+  });
   put(m.zone.box());
   for (SideName side : all_sides) {
     for (int k = 0; k < m.zone.faces(side); ++k) put(m.zone.imposed(side, k)), put(m.zone.passed(side, k));
@@ -49,14 +56,17 @@ void Solver::restore(const std::vector<std::uint8_t>& bytes) {
   m.cell_updates = in.take<std::int64_t>();
   m.min_depth = in.take<double>();
   m.min_depth_met = in.take<bool>();
-  m.strained = in.take<double>();
+  std::vector<Leaf> leaves(in.take<int>());
+  for (Leaf& leaf : leaves) leaf = in.take<Leaf>();
+  m.take_leaves(leaves);
+  for (Impl::Level& l : m.levels) l.strained = in.take<double>();
   for (BlockState& s : m.states) s.wet = false;
-  for (int j = 0; j < m.settings.grid.ny; ++j) {
-    for (int i = 0; i < m.settings.grid.nx; ++i) {
-      m.put(i, j, in.take<FlowState>());
-      m.put_passive(i, j, in.take<std::array<double, 2>>());
-    }
-  }
+  const bool shares = with_earth_pressure(m.parameters);
+  m.for_cells([&](int k, int c) {
+    BlockState& s = m.states[k];
+    m.put_in(k, c, in.take<FlowState>());
+    if (shares) s.passive_x[c] = in.take<double>(), s.passive_y[c] = in.take<double>();
+  });
   const CellBox box = in.take<CellBox>();
   box.empty() ? m.uncover() : m.cover(box);
   for (SideName side : all_sides) {

@@ -1,12 +1,18 @@
 #pragma once
 // Inside the solver: the blocks, their states, and the order of a step.
+//
+//   solver_impl.cpp     blocks, gauges, boxes; cells by their place       solver_zone.cpp     the covered zone
+//   solver_step.cpp     a step, level by level                            solver_refine.cpp   another mesh
+//   solver_errors.cpp   what ends a run, with its place
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "continuum/boundary/covered_zone.hpp"
 #include "continuum/boundary/ghosts.hpp"
+#include "continuum/mesh/forest.hpp"
 #include "continuum/mesh/mesh.hpp"
 #include "continuum/scheme/parameters.hpp"
 #include "continuum/scheme/stage.hpp"
@@ -26,23 +32,62 @@ struct Solver::Impl {
     BoxTerms terms;
   };
 
+  // The blocks of one size of cells; each level takes two steps in one of the level before.
+  struct Level {
+    std::vector<int> blocks, chosen;  // all; those to step
+    double strained = 0;              // [s] of its last step, for which the earth pressure has still to follow
+  };
+
+  // What a block held before the whole step, where its own start is a later one.
+  struct Before {
+    Fields q;
+    std::vector<double> passive_x, passive_y;
+    bool wet;
+  };
+
   Impl(const SolverSettings&, const ReferenceSurface&, const StepBed&);
 
   // The step.
   void step(double dt);
   double stable_dt();
-  void refresh();                      // choose blocks, fill ghosts, find the signal rate, if the state has changed
-  void choose_blocks(bool corrector);  // those with material in them or beside them
-  void fill_ghosts(double at, Moment = Moment::after);  // with the inflows of this time [s]
-  void run(StageName, double dt);
-  bool negative() const;  // some depth of this step fell below zero
-  void go_back();         // to the start of the step
+  void refresh();  // begin all levels, find the signal rate, if the state has changed
+  // Chooses blocks, fills ghosts and lets the earth pressure follow, on this level and all finer ones; share: of the coarser
+  // level's step that has passed. Returns the signal rate of each of these levels.
+  std::vector<double> begin(int level, double at, double share);
+  // One step of a level and two of the next, and so on; false: it was too long for some cell.
+  bool advance(int level, double from, double to, double dt, double share);
+  void look_ahead(int level, double from, double to, double dt);
+  void choose(int level, bool corrector);  // blocks with material in them or beside them
+  void set_inflow(double at, Moment = Moment::after);
+  void fill_ghosts(int level, double share);
+  void fill_block(int block, double share);
+  void run(int level, StageName, double dt);
+  bool negative(int level) const;  // some depth of this step fell below zero
+  void go_back();                  // to the start of the step
   void collect_tallies();
   void count_zone(double dt);
   // These throw NumericsError, naming place and time.
   void check_finite() const;
   [[noreturn]] void fail_negative(double dt) const;
   [[noreturn]] void fail_step(double dt) const;
+
+  // The mesh.
+  void lay_blocks();  // all that goes with the mesh's blocks but their states
+  void size(BlockState&, const Block&) const;
+  void lay_level_faces();
+  void take_leaves(const std::vector<Leaf>&);  // an empty mesh of these blocks
+  void refine_boxes();                         // as the settings' boxes want
+  bool adapt();                                // as the state wants; false: the mesh is right
+  struct Wish {                                // cells halved `level` times in a rectangle [m]
+    double x0, x1, y0, y1;
+    int level;
+  };
+  std::vector<Wish> wishes() const;
+  void wish_by_state(std::vector<Wish>&) const;
+  bool grow(const std::vector<Wish>&);  // by one level at most, anywhere
+  void become(const std::vector<Leaf>&);
+  void take_from_parent(int block, const Block& parent, const BlockState& held);
+  void take_from_children(int block, const Mesh& old, const std::vector<BlockState>& held);
 
   // The covered zone.
   void cover(const CellBox&);
@@ -52,37 +97,43 @@ struct Solver::Impl {
 
   void lay_gauge(int id);
   void lay_box(int id);
+  std::array<double, 2> momentum() const;                   // [m4/s] of the open cells
   std::array<double, 2> momentum_in(const CellBox&) const;  // [m4/s]
+  // Of a cell of the coarsest grid: put() gives all finer ones in it the same, get() takes their mean.
   void put(int i, int j, const FlowState&);
   FlowState get(int i, int j) const;
+  void put_in(int block, int cell, const FlowState&);
+  double least_depth(int i, int j) const;  // of the finer ones in it
   // Shares of the passive state along x and y; 0 where the closure is hydraulic.
-  void put_passive(int i, int j, const std::array<double, 2>&);
   std::array<double, 2> passive(int i, int j) const;
+  void set_active(int i, int j);  // the earth pressure
   template <class F>
-  void for_open_cells(F&& f) const;  // f(fields, cell) in a fixed order
+  void for_cells_in(int i, int j, F&& f) const;  // f(block, cell) of those in a cell of the coarsest grid
+  template <class F>
+  void for_cells(F&& f) const;  // f(block, cell), number and index of each cell in a fixed order
 
   SolverSettings settings;
   Parameters parameters;
+  std::unique_ptr<Forest> forest;  // none: the mesh is uniform and stays so
   Mesh mesh;
-  Ghosts ghosts;
+  std::optional<Ghosts> ghosts;
   std::vector<BlockState> states;
   std::vector<BlockFaces> faces;
+  std::vector<LevelFluxes> across;  // from finer to coarser, by coarser block
+  std::vector<char> inflow_block, beside_finer;
+  std::vector<Level> levels;
   std::vector<Scratch> scratch;  // by thread
-  std::vector<int> chosen;       // blocks to step
-  struct StageRecord {
-    std::vector<int> blocks;
-    std::vector<Tally> tallies;  // by number of the block
-  };
-  std::array<StageRecord, 2> record;  // of the two stages, booked when the step stands
-  std::vector<char> inflow_block;
+  std::vector<Tally> tallies;    // of this step, by block
+  std::vector<char> touched;     // whether there is one
+  std::vector<Before> before;    // of finer blocks, where touched
   CoveredZone zone;
   std::vector<std::array<double, 2>> impulse;
+  std::vector<std::array<double, 4>> obstacle_boxes;  // [m] x0, x1, y0, y1
   std::vector<Gauge> gauges;
   std::vector<ControlBox> boxes;
   Budget budget;
   double steepest = 0;  // how fast slope and bed speed the flow up [1/s2]
   double time = 0;
-  double strained = 0;  // [s] of the last step, for which the earth pressure has still to follow
   std::int64_t steps = 0, cell_updates = 0;
   double min_depth = 0;
   bool min_depth_met = false;
@@ -90,14 +141,11 @@ struct Solver::Impl {
 };
 
 template <class F>
-void Solver::Impl::for_open_cells(F&& f) const {
+void Solver::Impl::for_cells(F&& f) const {
   for (std::size_t k = 0; k < states.size(); ++k) {
     const Block& b = mesh.blocks()[k];
     for (int j = 0; j < b.ny; ++j) {
-      for (int i = 0; i < b.nx; ++i) {
-        const int c = b.at(i, j);
-        if (states[k].open[c] != 0) f(states[k].now, c);
-      }
+      for (int i = 0; i < b.nx; ++i) f(static_cast<int>(k), b.at(i, j));
     }
   }
 }

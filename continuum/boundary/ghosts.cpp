@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 
 namespace couloir {
 namespace {
@@ -37,6 +38,10 @@ double turned(double momentum, signed char turn) {
   return turn == 2 || momentum * turn < 0 ? -momentum : momentum;
 }
 
+std::array<int, 4> four(int first, int row) {
+  return {first, first + 1, first + row, first + row + 1};
+}
+
 void check(const std::array<Side, 4>& sides) {
   for (int low : {0, 2}) {
     if ((sides[low].kind == Side::Kind::periodic) != (sides[low + 1].kind == Side::Kind::periodic)) {
@@ -66,49 +71,84 @@ void check(const std::array<Side, 4>& sides) {
 Ghosts::Ghosts(const Mesh& mesh, const std::array<Side, 4>& sides) : sides_(sides), plans_(mesh.blocks().size()) {
   check(sides);
   set_time(0);
+  for (const Block& b : mesh.blocks()) rows_.push_back(b.row());
   for (std::size_t k = 0; k < mesh.blocks().size(); ++k) {
     const Block& b = mesh.blocks()[k];
     for (int j = -Block::ghosts; j < b.ny + Block::ghosts; ++j) {
       for (int i = -Block::ghosts; i < b.nx + Block::ghosts; ++i) {
         const bool interior = i >= 0 && i < b.nx && j >= 0 && j < b.ny;
-        if (!interior) plan_cell(mesh, sides, static_cast<int>(k), i, j);
+        if (!interior) plan_cell(mesh, static_cast<int>(k), i, j);
       }
     }
+    std::vector<int>& n = plans_[k].neighbours;
+    std::sort(n.begin(), n.end());
+    n.erase(std::unique(n.begin(), n.end()), n.end());
   }
 }
 
-void Ghosts::plan_cell(const Mesh& mesh, const std::array<Side, 4>& sides, int block, int i, int j) {
+void Ghosts::plan_cell(const Mesh& mesh, int block, int i, int j) {
   const Block& b = mesh.blocks()[block];
-  const Source sx = source(b.i0 + i, mesh.grid().nx, sides[0], sides[1]);
-  const Source sy = source(b.j0 + j, mesh.grid().ny, sides[2], sides[3]);
-  const Copy copy{b.at(i, j), mesh.place(sx.index, sy.index)};
+  const Source sx = source(b.i0 + i, b.grid.nx, sides_[0], sides_[1]);
+  const Source sy = source(b.j0 + j, b.grid.ny, sides_[2], sides_[3]);
+  const int to = b.at(i, j);
   Plan& plan = plans_[block];
-  if (sx.inflow >= 0 || sy.inflow >= 0) {
-    plan.fixed.push_back({copy, sx.inflow >= 0 ? sx.inflow : 2 + sy.inflow, sx.turn, sy.turn});
-  } else if (sx.turn != 0 || sy.turn != 0) {
-    plan.mirrors.push_back({copy, sx.turn, sy.turn});
-  } else {
-    plan.copies.push_back(copy);
+  if (sx.turn != 0 || sy.turn != 0) {
+    const Mirror mirror{to, b.at(sx.turn != 0 ? sx.index - b.i0 : i, sy.turn != 0 ? sy.index - b.j0 : j), sx.turn, sy.turn};
+    const bool inflow = sx.inflow >= 0 || sy.inflow >= 0;
+    inflow ? plan.fixed.push_back({mirror, sx.inflow >= 0 ? sx.inflow : 2 + sy.inflow}) : plan.mirrors.push_back(mirror);
+    return;
   }
+  const Mesh::Found from = mesh.find(b.level, sx.index, sy.index);
+  if (from.block < 0) throw std::logic_error("two blocks that touch differ by more than one level");
+  plan.neighbours.push_back(from.block);
+  if (from.level == b.level) plan.copies.push_back({to, {from.block, from.cell}});
+  if (from.level > b.level) plan.finer.push_back({to, {from.block, from.cell}});
+  const bool first = sx.index % 2 == 0 && sy.index % 2 == 0;
+  if (from.level < b.level && first) plan.coarser.push_back({to, {from.block, from.cell}, {}, {}, {}, 0, {}});
 }
 
 template <class F>
-void Ghosts::for_all(int block, F&& take) const {
-  for (const Copy& c : plans_[block].copies) take(c);
-  for (const Mirror& m : plans_[block].mirrors) take(m.copy);
-  for (const Fixed& f : plans_[block].fixed) take(f.copy);
+void Ghosts::for_beyond(int block, F&& take) const {
+  for (const Mirror& m : plans_[block].mirrors) take(m);
+  for (const Fixed& f : plans_[block].fixed) take(f.mirror);
 }
 
-void Ghosts::extend(Mesh& mesh) const {
-  for (std::size_t k = 0; k < plans_.size(); ++k) {
-    Block& b = mesh.blocks()[k];
-    const auto take = [&](const Copy& c) {
-      const Block& other = mesh.blocks()[c.from.block];
-      b.bed[c.to] = other.bed[c.from.cell];
-      b.top[c.to] = other.top[c.from.cell];
-      b.obstacle[c.to] = other.obstacle[c.from.cell];
-    };
-    for_all(static_cast<int>(k), take);
+// From coarse to fine: the bed beside a finer block slopes as that of the coarser cells and their ghosts.
+void Ghosts::extend(Mesh& mesh) {
+  for (int level = 0; level <= mesh.levels(); ++level) {
+    for (std::size_t k = 0; k < plans_.size(); ++k) {
+      Block& b = mesh.blocks()[k];
+      if (b.level != level) continue;
+      for (const Copy& c : plans_[k].copies) {
+        const Block& other = mesh.blocks()[c.from.block];
+        b.bed[c.to] = other.bed[c.from.cell];
+        b.top[c.to] = other.top[c.from.cell];
+        b.obstacle[c.to] = other.obstacle[c.from.cell];
+      }
+      for (const Copy& c : plans_[k].finer) {
+        const Block& other = mesh.blocks()[c.from.block];
+        b.bed[c.to] = mean_of_children(other.bed.data(), c.from.cell, other.row());
+        const int i = c.from.cell % other.row() - Block::ghosts, j = c.from.cell / other.row() - Block::ghosts;
+        std::tie(b.top[c.to], b.obstacle[c.to]) = mesh.step_at(b.grid.x((other.i0 + i) / 2), b.grid.y((other.j0 + j) / 2));
+      }
+      for (FromCoarser& c : plans_[k].coarser) {
+        const Block& other = mesh.blocks()[c.from.block];
+        const auto [x, y] = bed_slopes_of(other, c.from.cell);
+        c.bed = other.bed[c.from.cell];
+        c.children = {c.bed - x - y, c.bed + x - y, c.bed - x + y, c.bed + x + y};
+        const auto cells = four(c.to, b.row());
+        for (int n = 0; n < 4; ++n) {
+          b.bed[cells[n]] = c.children[n];
+          b.top[cells[n]] = other.top[c.from.cell];
+          b.obstacle[cells[n]] = other.obstacle[c.from.cell];
+        }
+      }
+      for_beyond(static_cast<int>(k), [&](const Mirror& m) {
+        b.bed[m.to] = b.bed[m.from];
+        b.top[m.to] = b.top[m.from];
+        b.obstacle[m.to] = b.obstacle[m.from];
+      });
+    }
   }
   // All blocks or none: two that share a face must reconstruct its depths alike.
   const bool relief = std::any_of(mesh.blocks().begin(), mesh.blocks().end(), [](const Block& b) {
@@ -125,45 +165,75 @@ void Ghosts::set_time(double time, Moment moment) {
   }
 }
 
-void Ghosts::fill(std::vector<BlockState>& states, int block) const {
+void Ghosts::look(const Mesh& mesh, const std::vector<BlockState>& states, int block, double dry_depth) {
+  for (FromCoarser& c : plans_[block].coarser) {
+    const Fields& q = states[c.from.block].now;
+    const Block& b = mesh.blocks()[c.from.block];
+    const int n = c.from.cell;
+    c.now = {q.h[n], q.hu[n], q.hv[n]};
+    c.change = {};
+    c.slopes = slopes_of(q, b, n, dry_depth);
+  }
+}
+
+void Ghosts::look_ahead(const std::vector<BlockState>& states, int block) {
+  for (FromCoarser& c : plans_[block].coarser) {
+    const BlockState& s = states[c.from.block];
+    const int n = c.from.cell;
+    c.change = {};
+    if (s.stepped) c.change = {s.now.h[n] - s.start.h[n], s.now.hu[n] - s.start.hu[n], s.now.hv[n] - s.start.hv[n]};
+  }
+}
+
+void Ghosts::fill(std::vector<BlockState>& states, int block, double share) const {
+  const Plan& plan = plans_[block];
   Fields& to = states[block].now;
-  for (const Copy& c : plans_[block].copies) {
+  for (const Copy& c : plan.copies) {
     const Fields& from = states[c.from.block].now;
     to.h[c.to] = from.h[c.from.cell];
     to.hu[c.to] = from.hu[c.from.cell];
     to.hv[c.to] = from.hv[c.from.cell];
   }
-  for (const Mirror& m : plans_[block].mirrors) {
-    const Fields& from = states[m.copy.from.block].now;
-    to.h[m.copy.to] = from.h[m.copy.from.cell];
-    to.hu[m.copy.to] = turned(from.hu[m.copy.from.cell], m.u);
-    to.hv[m.copy.to] = turned(from.hv[m.copy.from.cell], m.v);
+  const auto put = [&](int cell, const FlowState& q) { to.h[cell] = q.h, to.hu[cell] = q.hu, to.hv[cell] = q.hv; };
+  for (const Copy& c : plan.finer) put(c.to, parent_of(states[c.from.block].now, rows_[c.from.block], c.from.cell));
+  for (const FromCoarser& c : plan.coarser) {
+    const FlowState q{c.now.h + share * c.change.h, c.now.hu + share * c.change.hu, c.now.hv + share * c.change.hv};
+    const auto children = children_of(q, c.bed, c.slopes, c.children);
+    const auto cells = four(c.to, rows_[block]);
+    for (int k = 0; k < 4; ++k) put(cells[k], children[k]);
   }
-  for (const Fixed& f : plans_[block].fixed) {
-    FlowState q = inflow_[f.side];
-    if (q.h == 0) {
-      const Fields& from = states[f.copy.from.block].now;
-      const int cell = f.copy.from.cell;
-      q = {from.h[cell], turned(from.hu[cell], f.u), turned(from.hv[cell], f.v)};
-    }
-    to.h[f.copy.to] = q.h, to.hu[f.copy.to] = q.hu, to.hv[f.copy.to] = q.hv;
+  const auto mirrored = [&](const Mirror& m) {
+    return FlowState{to.h[m.from], turned(to.hu[m.from], m.u), turned(to.hv[m.from], m.v)};
+  };
+  for (const Mirror& m : plan.mirrors) put(m.to, mirrored(m));
+  for (const Fixed& f : plan.fixed) {
+    const FlowState& q = inflow_[f.side];
+    put(f.mirror.to, q.h == 0 ? mirrored(f.mirror) : q);
   }
 }
 
+template <class F>
+void Ghosts::fill_plain(int block, std::vector<double>& to, F&& of) const {
+  const Plan& plan = plans_[block];
+  for (const Copy& c : plan.copies) to[c.to] = of(c.from.block)[c.from.cell];
+  for (const Copy& c : plan.finer) to[c.to] = mean_of_children(of(c.from.block).data(), c.from.cell, rows_[c.from.block]);
+  for (const FromCoarser& c : plan.coarser) {
+    for (int cell : four(c.to, rows_[block])) to[cell] = of(c.from.block)[c.from.cell];
+  }
+  for_beyond(block, [&](const Mirror& m) { to[m.to] = to[m.from]; });
+}
+
 void Ghosts::fill_passive(std::vector<BlockState>& states, int block) const {
-  BlockState& to = states[block];
-  const auto take = [&](const Copy& c) {
-    const BlockState& from = states[c.from.block];
-    to.passive_x[c.to] = from.passive_x[c.from.cell];
-    to.passive_y[c.to] = from.passive_y[c.from.cell];
-  };
-  for_all(block, take);
+  fill_plain(
+      block, states[block].passive_x, [&](int b) -> const auto& { return states[b].passive_x; });
+  fill_plain(
+      block, states[block].passive_y, [&](int b) -> const auto& { return states[b].passive_y; });
 }
 
 void Ghosts::fill_open(std::vector<BlockState>& states, int block) const {
   std::vector<double>& to = states[block].open;
-  const auto take = [&](const Copy& c) { to[c.to] = states[c.from.block].open[c.from.cell]; };
-  for_all(block, take);
+  fill_plain(
+      block, to, [&](int b) -> const auto& { return states[b].open; });
   states[block].all_open = std::all_of(to.begin(), to.end(), [](double o) { return o == 1; });
 }
 

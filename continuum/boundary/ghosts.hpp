@@ -5,12 +5,16 @@
 //   outflow   the last cell inside while it flows out; mirrored as at a wall while it flows in: nothing enters
 //   periodic  the cells of the other end
 //   inflow    the given depth and inward velocity, at the time set; a wall while nothing comes in
+//
+// Beside finer blocks: the mean of four cells there. Beside coarser ones: children of the cells there (mesh/level_transfer.hpp),
+// between two times of theirs.
 
 #include <array>
 #include <vector>
 
 #include "continuum/boundary/side.hpp"
 #include "continuum/flow/flow_state.hpp"
+#include "continuum/mesh/level_transfer.hpp"
 #include "continuum/mesh/mesh.hpp"
 
 namespace couloir {
@@ -21,42 +25,62 @@ class Ghosts {
   Ghosts(const Mesh&, const std::array<Side, 4>& sides);
 
   // Terrain in the ghosts; once.
-  void extend(Mesh&) const;
+  void extend(Mesh&);
   // The time [s] at which fill() takes the inflows; before the first call: 0.
   void set_time(double time, Moment = Moment::after);
-  // State in the ghosts of one block, from the interiors of the others.
-  void fill(std::vector<BlockState>&, int block) const;
+  // What the coarser cells beside one block hold now and how they slope, for fill() from now on; their ghosts must be filled.
+  void look(const Mesh&, const std::vector<BlockState>&, int block, double dry_depth);
+  // By how much they change in their present step: from BlockState::start to now, where the block was stepped.
+  void look_ahead(const std::vector<BlockState>&, int block);
+  // State in the ghosts of one block, from the interiors of the others; share: of the coarser cells' step that has passed.
+  void fill(std::vector<BlockState>&, int block, double share = 0) const;
   // Shares of the passive state, likewise; what flows in has that of the cells it meets.
   void fill_passive(std::vector<BlockState>&, int block) const;
   // Open or covered, in the ghosts of one block.
   void fill_open(std::vector<BlockState>&, int block) const;
 
- private:
   struct Copy {
     int to;          // cell of this block
-    CellPlace from;  // interior cell of any block
+    CellPlace from;  // interior cell of another block; the first of four where they are finer
   };
-  struct Mirror {  // a copy whose momentum may turn
-    Copy copy;
+  const std::vector<Copy>& finer(int block) const { return plans_[block].finer; }  // ghosts beside finer blocks
+  // Blocks from which this one's ghosts take.
+  const std::vector<int>& neighbours(int block) const { return plans_[block].neighbours; }
+
+ private:
+  struct FromCoarser {
+    int to;          // the first of four ghosts
+    CellPlace from;  // the cell around them
+    FlowState now, change;
+    CellSlopes slopes;
+    double bed;                      // of the cell
+    std::array<double, 4> children;  // of the ghosts
+  };
+  struct Mirror {  // a cell of this block whose momentum may turn
+    int to, from;
     signed char u, v;  // 0: as it is; 2: reversed; -1, +1: reversed while it flows against this outward direction
   };
   struct Fixed {
-    Copy copy;  // where the terrain comes from
+    Mirror mirror;  // where the terrain comes from, and the state while nothing comes in
     int side;
-    signed char u, v;  // as Mirror, while nothing comes in
   };
-  struct Plan {
-    std::vector<Copy> copies;
+  struct Plan {  // in this order: what lies beyond the domain's sides takes from the ghosts inside
+    std::vector<Copy> copies, finer;
+    std::vector<FromCoarser> coarser;
     std::vector<Mirror> mirrors;
     std::vector<Fixed> fixed;
+    std::vector<int> neighbours;
   };
   template <class F>
-  void for_all(int block, F&& take) const;  // take(copy) for each ghost, turned or not
-  void plan_cell(const Mesh&, const std::array<Side, 4>&, int block, int i, int j);
+  void for_beyond(int block, F&& take) const;  // take(mirror) for each ghost beyond the domain's sides
+  template <class F>
+  void fill_plain(int block, std::vector<double>& to, F&& of) const;  // of(block): the others' values
+  void plan_cell(const Mesh&, int block, int i, int j);
 
   std::array<Side, 4> sides_;
   std::array<FlowState, 4> inflow_{};  // of each side, now
-  std::vector<Plan> plans_;
+  std::vector<Plan> plans_;            // of each block
+  std::vector<int> rows_;
 };
 
 }  // namespace couloir

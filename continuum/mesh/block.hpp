@@ -16,6 +16,7 @@ struct Block {
   Grid grid;           // of all cells of this size
   int i0 = 0, j0 = 0;  // indices in it of local cell (0, 0)
   int nx = 0, ny = 0;
+  int level = 0;  // how often its cells are halved
 
   int row() const { return nx + 2 * ghosts; }
   int size() const { return row() * (ny + 2 * ghosts); }
@@ -45,14 +46,23 @@ struct Fields {
 };
 
 struct BlockState {
-  Fields now;                // ghosts included
-  Fields start;              // at the start of the step; interior only is meaningful
+  Fields now;                                // ghosts included
+  Fields start;                              // at the start of the step; interior only is meaningful
   std::vector<double> passive_x, passive_y;  // share of the passive state, ghosts included; only where K depends on it
-  std::vector<double> open;  // 1: the solver's own cell, 0: covered; ghosts included
-  bool all_open = true;      // no covered cell, ghosts included
-  bool wet = false;          // some depth reaches the dry depth
-  bool was_wet = false;      // at the start of the step
-  bool stepped = false;      // took part in the first stage of this step
+  std::vector<double> open;                  // 1: the solver's own cell, 0: covered; ghosts included
+  bool all_open = true;                      // no covered cell, ghosts included
+  bool wet = false;                          // some depth reaches the dry depth
+  bool was_wet = false;                      // at the start of the step
+  bool begun = false;                        // took part in the start of this step
+  bool stepped = false;                      // takes part in its first stage
+  bool looked = false;                       // its ghosts know the coarser cells beside it
+
+  void back_to_start(const Block& b) {
+    for (int j = 0; j < b.ny; ++j) {
+      for (int c = b.at(0, j); c < b.at(b.nx, j); ++c) now.h[c] = start.h[c], now.hu[c] = start.hu[c], now.hv[c] = start.hv[c];
+    }
+    wet = was_wet;
+  }
 };
 
 }  // namespace couloir

@@ -9,6 +9,11 @@ struct Grid {
   double x0 = 0, y0 = 0;  // lower corner of cell (0, 0) [m]
   double x(int i) const { return x0 + (i + 0.5) * dx; }
   double y(int j) const { return y0 + (j + 0.5) * dy; }
+  // The same domain with each cell halved so many times.
+  Grid refined(int levels) const {
+    const double parts = 1 << levels;
+    return {nx << levels, ny << levels, dx / parts, dy / parts, x0, y0};
+  }
 };
 
 struct CellBox {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 namespace couloir {
 namespace {
@@ -11,15 +12,26 @@ void require(bool good, const char* sentence) {
   if (!good) throw std::invalid_argument(sentence);
 }
 
+int wrapped(int i, int n) {
+  return ((i % n) + n) % n;
+}
+
 }  // namespace
 
-Mesh::Mesh(const Grid& grid, int edge, const ReferenceSurface& surface, const StepBed& bed, double gravity, bool curvature)
-    : grid_(grid), edge_(edge) {
+Mesh::Mesh(const Grid& grid, int edge, const ReferenceSurface& surface, const StepBed& bed, double gravity, bool curvature,
+           int levels)
+    : grid_(grid), edge_(edge), levels_(levels), surface_(surface), bed_(bed), gravity_(gravity), curvature_(curvature) {
   require(grid.nx > 0 && grid.ny > 0, "The grid needs at least one cell in x and in y; enlarge the terrain or refine the cell.");
   require(grid.dx > 0 && grid.dy > 0, "The cells need a positive size; correct continuum.cell.");
   require(edge >= 2, "A block needs at least 2 cells along its edge; raise the block size.");
+  require(levels == 0 || (edge % 2 == 0 && edge >= 1 << levels && edge >= 4),
+          "Refined blocks need an even number of cells along their edge, at least 4 and 2 to the power of the levels; raise the "
+          "block "
+          "size.");
   require(bed.elevation.empty() || bed.elevation.size() == static_cast<std::size_t>(grid.nx) * grid.ny,
           "The bed elevation needs one value for each cell of the grid (or none); sample it on the solver's own grid.");
+  require(bed.elevation.empty() || levels == 0 || bed.height,
+          "Refined cells need the bed elevation as a function of place, too; give StepBed::height.");
   require(
       bed.owner.empty() || bed.owner.size() == bed.elevation.size(),
       "The owners of the bed elevation need one number for each of its values (or none); fill both on the solver's own grid.");
@@ -29,30 +41,85 @@ Mesh::Mesh(const Grid& grid, int edge, const ReferenceSurface& surface, const St
   }
   blocks_x_ = (grid.nx + edge - 1) / edge;
   blocks_y_ = (grid.ny + edge - 1) / edge;
-  blocks_.reserve(static_cast<std::size_t>(blocks_x_) * blocks_y_);
+  std::vector<Leaf> leaves;
   for (int bj = 0; bj < blocks_y_; ++bj) {
-    for (int bi = 0; bi < blocks_x_; ++bi) {
-      Block b;
-      b.grid = grid;
-      b.i0 = bi * edge, b.j0 = bj * edge;
-      b.nx = std::min(edge, grid.nx - b.i0), b.ny = std::min(edge, grid.ny - b.j0);
-      lay_columns(b, surface, gravity, curvature);
-      lay_bed(b, bed);
-      blocks_.push_back(std::move(b));
-    }
+    for (int bi = 0; bi < blocks_x_; ++bi) leaves.push_back({0, bi, bj});
+  }
+  become(leaves);
+}
+
+void Mesh::become(const std::vector<Leaf>& leaves) {
+  std::vector<Block> blocks;
+  std::vector<Leaf> kept;
+  for (const Leaf& leaf : leaves) {
+    const Grid g = grid_.refined(leaf.level);
+    if (leaf.bi * edge_ >= g.nx || leaf.bj * edge_ >= g.ny) continue;
+    const int old = number_.empty() ? -1 : block_of(leaf);
+    blocks.push_back(old >= 0 ? std::move(blocks_[old]) : make(leaf));
+    kept.push_back(leaf);
+  }
+  blocks_ = std::move(blocks);
+  leaves_ = std::move(kept);
+  index();
+}
+
+Block Mesh::make(const Leaf& leaf) const {
+  Block b;
+  b.grid = grid_.refined(leaf.level);
+  b.level = leaf.level;
+  b.i0 = leaf.bi * edge_, b.j0 = leaf.bj * edge_;
+  b.nx = std::min(edge_, b.grid.nx - b.i0), b.ny = std::min(edge_, b.grid.ny - b.j0);
+  lay_columns(b);
+  lay_bed(b);
+  return b;
+}
+
+void Mesh::index() {
+  number_.assign(levels_ + 1, {});
+  for (int level = 0; level <= levels_; ++level) {
+    number_[level].assign(static_cast<std::size_t>(blocks_x_ << level) * (blocks_y_ << level), -1);
+  }
+  for (std::size_t k = 0; k < leaves_.size(); ++k) {
+    const Leaf& l = leaves_[k];
+    number_[l.level][static_cast<std::size_t>(l.bj) * (blocks_x_ << l.level) + l.bi] = static_cast<int>(k);
   }
 }
 
-CellPlace Mesh::place(int i, int j) const {
-  const int number = (j / edge_) * blocks_x_ + i / edge_;
-  const Block& b = blocks_[number];
-  return {number, b.at(i - b.i0, j - b.j0)};
+int Mesh::block_of(const Leaf& l) const {
+  if (l.level < 0 || l.level > levels_) return -1;
+  const int nx = blocks_x_ << l.level, ny = blocks_y_ << l.level;
+  if (l.bi < 0 || l.bj < 0 || l.bi >= nx || l.bj >= ny) return -1;
+  return number_[l.level][static_cast<std::size_t>(l.bj) * nx + l.bi];
+}
+
+Mesh::Found Mesh::find(int level, int i, int j) const {
+  const auto in = [&](int at) -> Found {
+    const int ci = at >= level ? i << (at - level) : i >> 1, cj = at >= level ? j << (at - level) : j >> 1;
+    const int k = block_of({at, ci / edge_, cj / edge_});
+    if (k < 0) return {-1, at, -1};
+    const Block& b = blocks_[k];
+    return {k, at, b.at(ci - b.i0, cj - b.j0)};
+  };
+  for (int at : {level, level - 1, level + 1}) {
+    if (at < 0 || at > levels_) continue;
+    const Found f = in(at);
+    if (f.block >= 0) return f;
+  }
+  return {-1, level, -1};
+}
+
+Mesh::Patch Mesh::over(int i, int j) const {
+  for (int level = 0; level <= levels_; ++level) {
+    const int k = block_of({level, (i << level) / edge_, (j << level) / edge_});
+    if (k >= 0) return {k, (i << level) - blocks_[k].i0, (j << level) - blocks_[k].j0, 1 << level};
+  }
+  throw std::logic_error("a cell of the grid has no block");
 }
 
 double Mesh::steepest() const {
-  const double dx = grid_.dx, dy = grid_.dy;
   double most = 0;
   for (const Block& b : blocks_) {
+    const double dx = b.grid.dx, dy = b.grid.dy, steps = 1 << b.level;
     for (int j = 0; j < b.ny; ++j) {
       for (int i = 0; i < b.nx; ++i) {
         const int c = b.at(i, j), row = b.row(), column = i + Block::ghosts;
@@ -60,29 +127,39 @@ double Mesh::steepest() const {
           return std::max(std::abs(b.bed[c + step] - b.bed[c]), std::abs(b.bed[c] - b.bed[c - step]));
         };
         const double along = std::abs(b.drive[column]) + b.weight[column] * rise(1) / dx;
-        most = std::max(most, along / dx + b.weight[column] * rise(row) / dy / dy);
+        most = std::max(most, (along / dx + b.weight[column] * rise(row) / dy / dy) / (steps * steps));
       }
     }
   }
   return most;
 }
 
-void Mesh::lay_columns(Block& b, const ReferenceSurface& surface, double gravity, bool curvature) {
+void Mesh::lay_columns(Block& b) const {
   for (int i = -Block::ghosts; i < b.nx + Block::ghosts; ++i) {
     // Wrapped round, so that a periodic ghost column has the bits of the column it stands for.
-    const int column = ((b.i0 + i) % grid_.nx + grid_.nx) % grid_.nx;
-    const double zeta = surface.angle(grid_.x(column));
-    b.weight.push_back(gravity * std::cos(zeta));
-    b.drive.push_back(gravity * std::sin(zeta));
+    const int column = wrapped(b.i0 + i, b.grid.nx);
+    const double zeta = surface_.angle(b.grid.x(column));
+    b.weight.push_back(gravity_ * std::cos(zeta));
+    b.drive.push_back(gravity_ * std::sin(zeta));
     b.tan_zeta.push_back(std::tan(zeta));
-    b.foot_depth.push_back(2 * grid_.dx * (i > -Block::ghosts ? b.tan_zeta[i + Block::ghosts - 1] : b.tan_zeta.back()));
+    b.foot_depth.push_back(2 * b.grid.dx * (i > -Block::ghosts ? b.tan_zeta[i + Block::ghosts - 1] : b.tan_zeta.back()));
     b.no_depth.push_back(0);
-    b.kappa.push_back(curvature ? surface.curvature(grid_.x(column)) : 0.0);
-    b.weight_face.push_back(gravity * std::cos(surface.angle(grid_.x0 + (b.i0 + i) * grid_.dx)));
+    b.kappa.push_back(curvature_ ? surface_.curvature(b.grid.x(column)) : 0.0);
+    b.weight_face.push_back(gravity_ * std::cos(surface_.angle(b.grid.x0 + (b.i0 + i) * b.grid.dx)));
   }
 }
 
-void Mesh::lay_bed(Block& b, const StepBed& bed) {
+std::pair<double, int> Mesh::step_at(double x, double y) const {
+  std::pair<double, int> found{0, -1};
+  for (std::size_t k = 0; k < bed_.obstacles.size(); ++k) {
+    const StepObstacle& o = bed_.obstacles[k];
+    // Where footprints overlap the higher block is what the flow meets.
+    if (o.covers(x, y) && o.height > found.first) found = {o.height, static_cast<int>(k)};
+  }
+  return found;
+}
+
+void Mesh::lay_bed(Block& b) const {
   b.bed.assign(b.size(), 0.0);
   b.top.assign(b.size(), 0.0);
   b.obstacle.assign(b.size(), -1);
@@ -90,27 +167,36 @@ void Mesh::lay_bed(Block& b, const StepBed& bed) {
   for (int j = 0; j < b.ny; ++j) {
     for (int i = 0; i < b.nx; ++i) {
       const int c = b.at(i, j);
-      if (!bed.elevation.empty()) b.bed[c] = bed.elevation[static_cast<std::size_t>(b.j0 + j) * grid_.nx + b.i0 + i];
-      b.pushed[c] = pushed_by(b.i0 + i, b.j0 + j, bed);
-      const double x = grid_.x(b.i0 + i), y = grid_.y(b.j0 + j);
-      for (std::size_t k = 0; k < bed.obstacles.size(); ++k) {
-        const StepObstacle& o = bed.obstacles[k];
-        // Where footprints overlap the higher block is what the flow meets.
-        if (o.covers(x, y) && o.height > b.top[c]) {
-          b.top[c] = o.height;
-          b.obstacle[c] = static_cast<int>(k);
-        }
-      }
+      if (!bed_.elevation.empty()) b.bed[c] = elevation(b, b.i0 + i, b.j0 + j);
+      b.pushed[c] = pushed_by(b, b.i0 + i, b.j0 + j);
+      std::tie(b.top[c], b.obstacle[c]) = step_at(b.grid.x(b.i0 + i), b.grid.y(b.j0 + j));
     }
   }
 }
 
+// Where cells may be refined, the mean over the finest there can be: so what a cell and its children hold under one surface is
+// the same, and a lake stays level whatever the mesh does.
+double Mesh::elevation(const Block& b, int i, int j) const {
+  if (levels_ == 0) return bed_.elevation[static_cast<std::size_t>(j) * grid_.nx + i];
+  const int down = levels_ - b.level;
+  const auto mean = [&](auto& self, int left, int ci, int cj) -> double {
+    if (left == 0) {
+      const Grid finest = grid_.refined(levels_);
+      return bed_.height(finest.x(ci), finest.y(cj));
+    }
+    const double low = self(self, left - 1, 2 * ci, 2 * cj) + self(self, left - 1, 2 * ci + 1, 2 * cj);
+    const double high = self(self, left - 1, 2 * ci, 2 * cj + 1) + self(self, left - 1, 2 * ci + 1, 2 * cj + 1);
+    return 0.25 * (low + high);
+  };
+  return mean(mean, down, i, j);
+}
+
 // Neighbours are looked up as on a periodic domain: across a closed side there is no push to count.
-int Mesh::pushed_by(int i, int j, const StepBed& bed) const {
-  if (bed.owner.empty()) return -1;
+int Mesh::pushed_by(const Block& b, int i, int j) const {
+  if (bed_.owner.empty()) return -1;
   const auto owner = [&](int di, int dj) {
-    const int ni = (i + di + grid_.nx) % grid_.nx, nj = (j + dj + grid_.ny) % grid_.ny;
-    return bed.owner[static_cast<std::size_t>(nj) * grid_.nx + ni];
+    const int ni = wrapped(i + di, b.grid.nx), nj = wrapped(j + dj, b.grid.ny);
+    return levels_ > 0 ? bed_.owner_at(b.grid.x(ni), b.grid.y(nj)) : bed_.owner[static_cast<std::size_t>(nj) * grid_.nx + ni];
   };
   for (const int found : {owner(0, 0), owner(-1, 0), owner(1, 0), owner(0, -1), owner(0, 1)}) {
     if (found >= 0) return found;

@@ -26,8 +26,8 @@ inline double foot(double h, double over, double gained, double weight, double d
   return blocked * blocked * thin * (wall_flux(h, larger(gained, 0.0), weight) - pressure(h, weight));
 }
 
-// What the answer of K to strain asks of a face beyond HLL, which knows the waves of K h alone: both sides' velocities even out at the
-// faster speed, where K can still follow. Else nothing damps those waves.
+// What the answer of K to strain asks of a face beyond HLL, which knows the waves of K h alone: both sides' velocities even out
+// at the faster speed, where K can still follow. Else nothing damps those waves.
 inline double resistance(double compression, double h, double k, double stiffness, double weight, double least, double most) {
   const double speed = std::sqrt((k + stiffness) * weight * h) - std::sqrt(k * weight * h);
   const double room = compression > 0 ? 1 - least : most;

@@ -17,14 +17,15 @@
 
 namespace couloir {
 
-// Carries the shares of the interior on by dt [s]. Needs find_velocity() of the present state and the shares in the ghosts. Dry neighbours have no say in du/dx; a wall that the flow cannot pass counts as its mirror image.
+// Carries the shares of the interior on by dt [s]. Needs find_velocity() of the present state and the shares in the ghosts. Dry
+// neighbours have no say in du/dx; a wall that the flow cannot pass counts as its mirror image.
 void mobilise(const Parameters&, const Block&, const StepFaces&, BlockState&, Scratch&, double dt);
 
 // K_x, K_y of all cells by their shares.
 void find_earth_pressure(const Parameters&, const Block&, const BlockState&, Scratch&);
 
-// The K of the stable step: waves of K h; and disturbances of K, which cross one cell a step at most, at the CFL number 0.45 a fifth
-// of their speed squared.
+// The K of the stable step: waves of K h; and disturbances of K, which cross one cell a step at most, at the CFL number 0.45 a
+// fifth of their speed squared.
 inline double k_of_step(double k, double stiffness) {
   return larger(k, 0.2 * (k + stiffness));
 }

@@ -79,7 +79,8 @@ void reconstruct(const Block& b, const Axis& axis, const double* __restrict smoo
   }
 }
 
-// The surface; where the bed is level it follows the depth, whose slope may be held (above): else the bed would seem to slope there.
+// The surface; where the bed is level it follows the depth, whose slope may be held (above): else the bed would seem to slope
+// there.
 template <class L, bool flattening>
 void reconstruct_surface(const Block& b, const Axis& axis, const double* __restrict smooth, const double* __restrict eta,
                          const double* __restrict h_lo, const double* __restrict h_hi, double* __restrict lo,

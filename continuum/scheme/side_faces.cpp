@@ -10,7 +10,7 @@ namespace {
 
 // Calls f(side, face, inside cell, local column) for each face of this axis that lies on the domain's side.
 template <class F>
-void for_side_faces(const Parameters& p, const Block& b, const Axis& axis, F&& f) {
+void for_side_faces(const Block& b, const Axis& axis, F&& f) {
   const int low = axis.along_x ? 0 : 2;
   const bool at_low = axis.along_x ? b.i0 == 0 : b.j0 == 0;
   const bool at_high = axis.along_x ? b.i0 + b.nx == b.grid.nx : b.j0 + b.ny == b.grid.ny;
@@ -40,7 +40,7 @@ double inflow_momentum(double q, double depth, double inside, double g) {
 
 void side_fluxes(const Parameters& p, const Block& b, const Axis& axis, const FaceValues& v) {
   FaceFluxes& f = *axis.fluxes;
-  for_side_faces(p, b, axis, [&](int side, int face, int inside, int column) {
+  for_side_faces(b, axis, [&](int side, int face, int inside, int column) {
     const bool low = side % 2 == 0;
     const double outward = low ? -1 : 1;
     const Side::Kind kind = p.sides[side].kind;
@@ -48,7 +48,8 @@ void side_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Fa
       const double h = low ? v.h_lo[inside] : v.h_hi[inside], g = axis.k[inside] * axis.weight[column + Block::ghosts];
       f.mass[face] = -outward * p.discharge[side];
       f.tangent[face] = 0;
-      f.normal[face] = f.normal_below[face] = f.normal_above[face] = inflow_momentum(p.discharge[side], p.inflow[side].depth, h, g);
+      f.normal[face] = f.normal_below[face] = f.normal_above[face] =
+          inflow_momentum(p.discharge[side], p.inflow[side].depth, h, g);
       return;
     }
     const bool closed = p.wall(side) || (kind == Side::Kind::outflow && outward * axis.un[inside] < 0);
@@ -68,7 +69,7 @@ void side_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Fa
 void count_sides(const Parameters& p, const Block& b, const BlockState& s, const Axis& axis, double share, Tally& t) {
   const FaceFluxes& f = *axis.fluxes;
   const int normal = axis.along_x ? 0 : 1;
-  for_side_faces(p, b, axis, [&](int side, int face, int inside, int) {
+  for_side_faces(b, axis, [&](int side, int face, int inside, int) {
     if (s.open[inside] == 0) return;
     const double inward = (side % 2 == 0 ? 1 : -1) * share * axis.face_length;
     t.budget.mass_boundary += inward * f.mass[face];

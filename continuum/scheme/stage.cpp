@@ -16,7 +16,7 @@ namespace couloir {
 namespace {
 
 void fluxes_along(const Axis& axis, const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone,
-                  const BlockState& s, Scratch& w) {
+                  AcrossLevels across, const BlockState& s, Scratch& w) {
   find_shocks(p, b, axis, s.now, w.smooth);
   if (with_relief(b)) flatten_at_feet(b, axis, s.now, w.smooth);
   reconstruct_all(p, b, axis, s.now, w, w.values);
@@ -24,7 +24,9 @@ void fluxes_along(const Axis& axis, const Parameters& p, const Block& b, const B
   face_fluxes(p, b, axis, w, w.values);
   step_face_fluxes(faces.steps, b, w, axis, w.values);
   side_fluxes(p, b, axis, w.values);
+  if (across.from_finer) take_from_finer(faces.taken, b, axis, w.values, *across.from_finer);
   rim_fluxes(faces.rim, zone, axis);
+  if (across.to_coarser) give_to_coarser(faces.given, b, axis, w.values, *across.to_coarser);
   if (with_relief(b)) bed_source(b, axis, w.values);
 }
 
@@ -40,15 +42,15 @@ void count_gauges(const BlockFaces& faces, const Block& b, const BlockState& s, 
 
 }  // namespace
 
-void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone, BlockState& s, Scratch& w,
-               StageName stage, double dt, Tally& t) {
+void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone, AcrossLevels across,
+               BlockState& s, Scratch& w, StageName stage, double dt, Tally& t) {
   const EarthPressure& closure = p.closure.earth_pressure;
   const Axis x = Axis::x(b, s, w, closure), y = Axis::y(b, s, w, closure);
   find_velocity(p, b, s.now, w);
   find_earth_pressure(p, b, s, w);
   find_locked(p, b, s, w);
   for (const Axis& axis : {x, y}) {
-    fluxes_along(axis, p, b, faces, zone, s, w);
+    fluxes_along(axis, p, b, faces, zone, across, s, w);
     count_sides(p, b, s, axis, 0.5 * dt, t);
     count_step_faces(faces.steps, b, s, axis, 0.5 * dt, t);
     if (with_relief(b)) count_bed_push(faces.pushed, b, s, axis, 0.5 * dt, t);

@@ -6,6 +6,7 @@
 #include "continuum/boundary/covered_zone.hpp"
 #include "continuum/scheme/bed_push.hpp"
 #include "continuum/scheme/control_box.hpp"
+#include "continuum/scheme/level_faces.hpp"
 #include "continuum/scheme/side_faces.hpp"
 #include "continuum/scheme/step_faces.hpp"
 #include "continuum/scheme/update.hpp"
@@ -24,10 +25,19 @@ struct BlockFaces {
   std::vector<RimFace> rim;
   std::vector<GaugeFaces> gauges;
   std::vector<BoxPart> boxes;
+  std::vector<GivenFace> given;  // to coarser blocks
+  std::vector<TakenFace> taken;  // from finer ones
 };
 
-void run_stage(const Parameters&, const Block&, const BlockFaces&, const CoveredZone&, BlockState&, Scratch&, StageName,
-               double dt, Tally&);
+// What crosses from level to level in a step: of this block from finer ones, and of all coarser ones. Null: the blocks beside it
+// count as of its own size.
+struct AcrossLevels {
+  const LevelFluxes* from_finer = nullptr;
+  std::vector<LevelFluxes>* to_coarser = nullptr;
+};
+
+void run_stage(const Parameters&, const Block&, const BlockFaces&, const CoveredZone&, AcrossLevels, BlockState&, Scratch&,
+               StageName, double dt, Tally&);
 
 // Carries the earth pressure's shares on over the time since the last step [s]; returns the fastest rate at which a signal then
 // crosses a cell of this block or of an inflow beside it: max of (|u| + c_x)/dx + (|v| + c_y)/dy [1/s];

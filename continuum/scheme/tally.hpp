@@ -3,6 +3,7 @@
 // the sums do not depend on the number of threads.
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Tally {
   std::vector<BoxTerms> boxes;
   double min_depth = std::numeric_limits<double>::infinity();  // [m] before clipping
   bool finite = true;
+  std::int64_t cell_updates = 0;
 
   void reset(std::size_t obstacles, std::size_t gauges, std::size_t control_boxes) {
     *this = {};

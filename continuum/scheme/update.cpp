@@ -171,9 +171,11 @@ void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, Stag
   t.budget.cutoff[0] += area * sum(w.columns[cutoff_x]);
   t.budget.cutoff[1] += area * sum(w.columns[cutoff_y]);
   t.budget.mass_clipped += area * sum(w.columns[clipped]);
-  t.min_depth = *std::min_element(w.columns[least].begin(), w.columns[least].end());
-  t.finite = sum(w.columns[not_finite]) == 0;
-  s.wet = *std::max_element(w.columns[most].begin(), w.columns[most].end()) >= p.dry_depth || !t.finite;
+  t.min_depth = std::min(t.min_depth, *std::min_element(w.columns[least].begin(), w.columns[least].end()));
+  const bool finite = sum(w.columns[not_finite]) == 0;
+  t.finite = t.finite && finite;
+  t.cell_updates += static_cast<std::int64_t>(b.nx) * b.ny;
+  s.wet = *std::max_element(w.columns[most].begin(), w.columns[most].end()) >= p.dry_depth || !finite;
 }
 
 }  // namespace couloir

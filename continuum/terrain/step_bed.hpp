@@ -1,6 +1,7 @@
 #pragma once
 // The bed above the reference surface, by cell: a smooth elevation and solid steps (obstacles).
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct StepBed {
   std::vector<double> elevation{};        // z_b at cell centres [m], [j * nx + i]; empty: 0 everywhere
   std::vector<StepObstacle> obstacles{};  // a cell belongs to the obstacle that covers its centre
   std::vector<int> owner{};               // obstacle whose elevation this cell has, -1: none; empty: no obstacle has any
+  // For cells of any size, beside the two above: what they were sampled from. Only where cells are refined over an elevation.
+  std::function<double(double x, double y)> height{};
+  std::function<int(double x, double y)> owner_at{};
 };
 
 }  // namespace couloir

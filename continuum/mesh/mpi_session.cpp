@@ -1,0 +1,31 @@
+#include "continuum/mesh/mpi_session.hpp"
+
+#include <mpi.h>
+#include <p4est.h>
+#include <sc.h>
+
+#include <cstdlib>
+
+namespace couloir {
+namespace {
+
+void end_mpi() {
+  int ended = 0;
+  MPI_Finalized(&ended);
+  if (!ended) MPI_Finalize();
+}
+
+}  // namespace
+
+void use_mpi() {
+  int begun = 0;
+  MPI_Initialized(&begun);
+  if (begun) return;
+  int given = 0;
+  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &given);
+  std::atexit(end_mpi);
+  sc_init(sc_MPI_COMM_SELF, 0, 0, nullptr, SC_LP_ERROR);
+  p4est_init(nullptr, SC_LP_ERROR);
+}
+
+}  // namespace couloir

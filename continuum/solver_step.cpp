@@ -1,0 +1,238 @@
+// A step: the coarsest cells take one, the next ones two, and so on. Finer cells go first, between what the coarser ones hold now
+// and what they will about hold, one stage ahead; then the coarser ones take what has passed their common faces.
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "continuum/errors.hpp"
+#include "continuum/scheme/effects.hpp"
+#include "continuum/solver_impl.hpp"
+
+namespace couloir {
+namespace {
+
+constexpr int most_halvings = 30;  // of a step that would overdraw a cell; a short enough step never does
+
+}  // namespace
+
+void Solver::Impl::step(double dt) {
+  if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
+  if (settings.refinement.adaptive.levels > 0 && steps % settings.refinement.adaptive.interval == 0) adapt();
+  dt = std::min(dt, stable_dt());
+  const double row = next_row(settings.sides, time);
+  double end = row - time <= dt ? row : time + dt;
+  dt = std::min(dt, row - time);
+  for (int halvings = 0;; ++halvings) {
+    std::fill(touched.begin(), touched.end(), 0);
+    zone.limit(dt, std::ldexp(0.5, -halvings), [&](int i, int j) { return least_depth(i, j); });
+    if (advance(0, time, end, dt, 0)) break;
+    if (halvings == most_halvings) fail_negative(dt);
+    go_back();
+    dt *= 0.5;
+    end = time + dt;
+  }
+  collect_tallies();
+  count_zone(dt);
+  time = end;
+  ++steps;
+  rate.reset();
+}
+
+// Positivity asks for rate * dt <= cfl <= 1/2. Slope and bed may speed up what is slow now: their part grows with dt.
+double Solver::Impl::stable_dt() {
+  refresh();
+  const double r = *rate;
+  if (!(r > 0) && steepest == 0) return std::numeric_limits<double>::max();
+  return 2 * settings.cfl / (r + std::sqrt(r * r + 4 * steepest * settings.cfl));
+}
+
+void Solver::Impl::refresh() {
+  if (rate) return;
+  const std::vector<double> rates = begin(0, time, 0);
+  double most = 0;
+  for (std::size_t level = 0; level < rates.size(); ++level)
+    most = std::max(most, std::ldexp(rates[level], -static_cast<int>(level)));
+  rate = most;
+}
+
+std::vector<double> Solver::Impl::begin(int level, double at, double share) {
+  const int finest = static_cast<int>(levels.size()) - 1;
+  for (int l = finest; l >= level; --l) choose(l, false);
+  set_inflow(at);
+  std::vector<double> rates(states.size(), 0.0), most;
+  for (int l = level; l <= finest; ++l) {
+    const std::vector<int>& chosen = levels[l].chosen;
+    const int n = static_cast<int>(chosen.size());
+    for (int b : levels[l].blocks) states[b].looked = states[b].looked && l == level;
+    fill_ghosts(l, l > level ? 0 : share);
+#pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
+    for (int k = 0; k < n; ++k) {
+      const int b = chosen[k];
+      rates[b] = begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()], levels[l].strained);
+    }
+    levels[l].strained = 0;
+    if (with_earth_pressure(parameters)) {
+#pragma omp parallel for num_threads(settings.threads) schedule(static)
+      for (int k = 0; k < n; ++k) ghosts->fill_passive(states, chosen[k]);
+    }
+    most.push_back(0);
+    for (int b : chosen) most.back() = std::max(most.back(), rates[b]);
+  }
+  if (std::ranges::any_of(most, [](double r) { return std::isinf(r); })) check_finite();
+  return most;
+}
+
+bool Solver::Impl::advance(int level, double from, double to, double dt, double share) {
+  if (share > 0) {
+    // What has become faster since the whole step's start may still be slow enough for positivity.
+    const double fastest = begin(level, from, share).front();
+    if (fastest * dt > 0.5) return false;
+  }
+  if (level + 1 < static_cast<int>(levels.size())) {
+    look_ahead(level, from, to, dt);
+    const double middle = from + 0.5 * dt;
+    if (!advance(level + 1, from, middle, 0.5 * dt, 0)) return false;
+    if (!advance(level + 1, middle, to, 0.5 * dt, 0.5)) return false;
+  }
+  choose(level, false);
+  for (int k : levels[level].chosen) {
+    if (!states[k].begun) fill_block(k, share);  // material has come near while the finer levels stepped
+  }
+  set_inflow(from);
+  for (int side = 0; side < 4; ++side) parameters.discharge[side] = mean_discharge(settings.sides[side], from, to);
+  run(level, StageName::predictor, dt);
+  choose(level, true);
+  set_inflow(to, Moment::before);
+  fill_ghosts(level, share + 0.5);
+  run(level, StageName::corrector, dt);
+  levels[level].strained = dt;
+  return !negative(level);
+}
+
+// The predictor, for the sake of what it says of the cells beside finer ones.
+void Solver::Impl::look_ahead(int level, double from, double to, double dt) {
+  for (int side = 0; side < 4; ++side) parameters.discharge[side] = mean_discharge(settings.sides[side], from, to);
+  set_inflow(from);
+  std::vector<int> beside;
+  for (int k : levels[level].chosen) {
+    if (beside_finer[k]) beside.push_back(k);
+  }
+  const int n = static_cast<int>(beside.size());
+#pragma omp parallel num_threads(settings.threads)
+  {
+    Tally nobodys;
+#pragma omp for schedule(dynamic)
+    for (int m = 0; m < n; ++m) {
+      const int k = beside[m];
+      nobodys.reset(impulse.size(), gauges.size(), boxes.size());
+      run_stage(parameters, mesh.blocks()[k], faces[k], zone, {}, states[k], scratch[omp_get_thread_num()], StageName::predictor,
+                dt, nobodys);
+    }
+  }
+  for (int k : levels[level + 1].chosen) ghosts->look_ahead(states, k);
+  for (int k : beside) states[k].back_to_start(mesh.blocks()[k]);
+  for (int k : levels[level].blocks) std::fill(across[k].begin(), across[k].end(), LevelFlux{});
+}
+
+void Solver::Impl::choose(int level, bool corrector) {
+  Level& l = levels[level];
+  l.chosen.clear();
+  for (int k : l.blocks) {
+    BlockState& s = states[k];
+    bool active = inflow_block[k] || !faces[k].rim.empty() || s.wet;
+    for (int n : ghosts->neighbours(k)) {
+      // A finer neighbour that steps has something to say about the face.
+      active = active || states[n].wet || (mesh.blocks()[n].level > level && states[n].stepped);
+    }
+    if (!corrector) {
+      s.begun = s.stepped;
+      s.stepped = active;
+      s.was_wet = s.wet;
+    } else if (active && !s.stepped) {
+      s.start = s.now;  // the predictor left it as it was
+    }
+    if (active || (corrector && s.stepped)) l.chosen.push_back(k);
+  }
+}
+
+void Solver::Impl::set_inflow(double at, Moment moment) {
+  ghosts->set_time(at, moment);
+  for (int side = 0; side < 4; ++side) parameters.inflow[side] = inflow_at(settings.sides[side], at, moment);
+}
+
+void Solver::Impl::fill_ghosts(int level, double share) {
+  const std::vector<int>& chosen = levels[level].chosen;
+  const int n = static_cast<int>(chosen.size());
+#pragma omp parallel for num_threads(settings.threads) schedule(static)
+  for (int k = 0; k < n; ++k) fill_block(chosen[k], share);
+}
+
+void Solver::Impl::fill_block(int k, double share) {
+  if (!states[k].looked) ghosts->look(mesh, states, k, settings.dry_depth);
+  states[k].looked = true;
+  ghosts->fill(states, k, share);
+  if (with_earth_pressure(parameters)) ghosts->fill_passive(states, k);
+}
+
+void Solver::Impl::run(int level, StageName stage, double dt) {
+  const std::vector<int>& chosen = levels[level].chosen;
+  const int n = static_cast<int>(chosen.size());
+#pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
+  for (int k = 0; k < n; ++k) {
+    const int b = chosen[k];
+    if (!touched[b]) {
+      touched[b] = 1;
+      tallies[b].reset(impulse.size(), gauges.size(), boxes.size());
+      if (level > 0) before[b] = {states[b].now, states[b].passive_x, states[b].passive_y, states[b].wet};
+    }
+    run_stage(parameters, mesh.blocks()[b], faces[b], zone, {&across[b], &across}, states[b], scratch[omp_get_thread_num()],
+              stage, dt, tallies[b]);
+  }
+}
+
+// The bound of stable_dt() is that of the step's start; a stage that speeds the flow up a lot may overdraw a cell.
+bool Solver::Impl::negative(int level) const {
+  return std::ranges::any_of(levels[level].chosen, [&](int k) { return tallies[k].min_depth < 0; });
+}
+
+void Solver::Impl::go_back() {
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    if (!touched[k]) continue;
+    BlockState& s = states[k];
+    if (mesh.blocks()[k].level == 0) {
+      s.back_to_start(mesh.blocks()[k]);
+      continue;
+    }
+    std::swap(s.now, before[k].q);
+    std::swap(s.passive_x, before[k].passive_x);
+    std::swap(s.passive_y, before[k].passive_y);
+    s.wet = before[k].wet;
+  }
+  for (Level& l : levels) l.strained = 0;
+  begin(0, time, 0);
+}
+
+void Solver::Impl::collect_tallies() {
+  bool finite = true;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    if (!touched[k]) continue;
+    const Tally& t = tallies[k];
+    budget.add(t.budget);
+    for (std::size_t o = 0; o < impulse.size(); ++o) {
+      for (int c : {0, 1}) impulse[o][c] += t.impulse[o][c];
+    }
+    for (std::size_t g = 0; g < gauges.size(); ++g) gauges[g].volume += t.gauge[g];
+    for (std::size_t n = 0; n < boxes.size(); ++n) boxes[n].terms.add(t.boxes[n]);
+    min_depth = min_depth_met ? std::min(min_depth, t.min_depth) : t.min_depth;
+    min_depth_met = true;
+    cell_updates += t.cell_updates;
+    finite = finite && t.finite;
+  }
+  if (!finite) check_finite();
+}
+
+}  // namespace couloir

@@ -1,0 +1,102 @@
+// Meshes that follow the flow.
+
+#include <gtest/gtest.h>
+
+#include "refined.hpp"
+
+namespace couloir::test {
+namespace {
+
+SolverSettings chute(int levels) {
+  SolverSettings s = basin(96, 48, 0.0125);
+  s.block = 8;
+  s.sides = sides(Side::Kind::outflow, Side::Kind::wall);
+  s.closure = quartz();
+  s.refinement.adaptive.levels = levels;
+  s.refinement.adaptive.interval = 4;
+  return s;
+}
+
+Solver heap(const SolverSettings& s) {
+  Solver solver(s, ReferenceSurface::chute(degrees(38), 0.7, 0.2, 0.3), {{}, {{"block", 0.6, 0.66, -0.08, 0.1, 0.05}}});
+  solver.set([](double x, double y) {
+    const double r2 = ((x - 0.2) * (x - 0.2) + y * y) / 0.0225;
+    return FlowState{r2 < 1 ? 0.08 * (1 - r2) : 0.0, 0, 0};
+  });
+  return solver;
+}
+
+TEST(AdaptiveRefinement, FollowsTheFrontAndKeepsMass) {
+  Solver s = heap(chute(2));
+  const double before = s.volume();
+  const std::size_t first = s.blocks().size();
+  EXPECT_GT(first, 72u);
+  for (int n = 1; n <= 8; ++n) {
+    s.advance_to(0.1 * n);
+    EXPECT_NEAR(s.volume(), before + s.budget().mass_boundary, 2e-14 * before);
+  }
+  EXPECT_GE(s.min_depth(), 0);
+  const Budget& b = s.budget();
+  const auto p = s.momentum();
+  for (int q : {0, 1}) {
+    const double all = b.gravity[q] + b.friction[q] + b.boundary[q] + b.obstacles[q] + b.cutoff[q];
+    EXPECT_NEAR(p[q], all, 1e-13 * std::abs(b.gravity[0]));
+  }
+}
+
+TEST(AdaptiveRefinement, IsNearerToTheFineGridThanTheCoarseOne) {
+  SolverSettings fine = chute(0);
+  fine.grid = fine.grid.refined(1);
+  const Solver coarse = [] {
+    Solver s = heap(chute(0));
+    s.advance_to(0.4);
+    return s;
+  }();
+  const Solver adaptive = [] {
+    Solver s = heap(chute(1));
+    s.advance_to(0.4);
+    return s;
+  }();
+  const Solver exact = [&] {
+    Solver s = heap(fine);
+    s.advance_to(0.4);
+    return s;
+  }();
+  double by_coarse = 0, by_adaptive = 0;
+  for (int j = 0; j < 48; ++j) {
+    for (int i = 0; i < 96; ++i) {
+      double h = 0;
+      for (int m : {0, 1}) h += 0.25 * (exact.at(2 * i, 2 * j + m).h + exact.at(2 * i + 1, 2 * j + m).h);
+      by_coarse += std::abs(coarse.at(i, j).h - h), by_adaptive += std::abs(adaptive.at(i, j).h - h);
+    }
+  }
+  EXPECT_LT(by_adaptive, 0.3 * by_coarse);
+  EXPECT_LT(adaptive.cell_updates(), exact.cell_updates());
+}
+
+TEST(AdaptiveRefinement, CheckpointContinuesToTheSameBits) {
+  Solver whole = heap(chute(2));
+  whole.advance_to(0.2);
+  const auto bytes = whole.checkpoint();
+  whole.advance_to(0.4);
+  Solver again = heap(chute(2));
+  again.restore(bytes);
+  again.advance_to(0.4);
+  EXPECT_EQ(bits(again), bits(whole));
+  EXPECT_EQ(again.blocks(), whole.blocks());
+  EXPECT_EQ(again.checkpoint(), whole.checkpoint());
+}
+
+TEST(AdaptiveRefinement, SameBitsForAnyNumberOfThreads) {
+  const auto run = [](int threads) {
+    SolverSettings set = chute(2);
+    set.threads = threads;
+    Solver s = heap(set);
+    s.advance_to(0.3);
+    return bits(s);
+  };
+  EXPECT_EQ(run(1), run(2));
+}
+
+}  // namespace
+}  // namespace couloir::test
