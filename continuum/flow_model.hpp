@@ -13,6 +13,7 @@
 #include "continuum/flow/closure.hpp"
 #include "continuum/flow/flow_state.hpp"
 #include "continuum/mesh/grid.hpp"
+#include "continuum/mesh/ranks.hpp"
 #include "continuum/mesh/refinement.hpp"
 #include "continuum/scheme/budget.hpp"
 #include "continuum/scheme/limiter.hpp"
@@ -30,6 +31,7 @@ struct SolverSettings {
   int block = 32;               // cells along a block's edge; central upwind only
   int threads = 1;
   Refinement refinement;
+  Ranks ranks{};  // the processes that share the run; central_upwind only
 };
 
 // A rectangle of cells of one size: local (0, 0) is cell (i0, j0) of the grid halved `level` times.

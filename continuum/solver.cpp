@@ -66,11 +66,13 @@ void Solver::set(int i, int j, const FlowState& q) {
 }
 
 FlowState Solver::at(int i, int j) const {
+  impl_->sync();
   require_cell(grid(), i, j);
   return impl_->get(i, j);
 }
 
 void Solver::gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const {
+  impl_->sync();
   const Grid& g = grid();
   const std::size_t n = static_cast<std::size_t>(g.nx) * g.ny;
   h.resize(n), hu.resize(n), hv.resize(n);
@@ -85,7 +87,7 @@ void Solver::gather(std::vector<double>& h, std::vector<double>& hu, std::vector
       std::copy_n(&q.hv[b.at(0, j)], b.nx, &hv[to]);
     }
   }
-  if (!impl_->forest) return;
+  if (impl_->settings.refinement.empty()) return;
   for (int j = 0; j < g.ny; ++j) {
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t to = static_cast<std::size_t>(j) * g.nx + i;
@@ -97,12 +99,13 @@ void Solver::gather(std::vector<double>& h, std::vector<double>& hu, std::vector
 
 std::vector<BlockPlace> Solver::blocks() const {
   std::vector<BlockPlace> all;
-  if (!impl_->forest) return all;
+  if (impl_->settings.refinement.empty()) return all;
   for (const Block& b : impl_->mesh.blocks()) all.push_back({b.level, b.i0, b.j0, b.nx, b.ny});
   return all;
 }
 
 void Solver::gather_block(int block, std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const {
+  impl_->sync();
   const Block& b = impl_->mesh.blocks().at(block);
   const Fields& q = impl_->states[block].now;
   h.clear(), hu.clear(), hv.clear();
@@ -112,6 +115,7 @@ void Solver::gather_block(int block, std::vector<double>& h, std::vector<double>
 }
 
 double Solver::volume() const {
+  impl_->sync();
   double sum = 0;
   impl_->for_cells([&](int k, int c) {
     const BlockState& s = impl_->states[k];
@@ -121,6 +125,7 @@ double Solver::volume() const {
 }
 
 std::array<double, 2> Solver::momentum() const {
+  impl_->sync();
   return impl_->momentum();
 }
 
@@ -129,6 +134,7 @@ double Solver::min_depth() const {
 }
 
 double Solver::max_speed() const {
+  impl_->sync();
   double fastest = 0;
   impl_->for_cells([&](int k, int c) {
     const Fields& q = impl_->states[k].now;
@@ -139,6 +145,7 @@ double Solver::max_speed() const {
 }
 
 std::array<double, 2> Solver::earth_pressure(int i, int j) const {
+  impl_->sync();
   require_cell(grid(), i, j);
   if (!with_earth_pressure(impl_->parameters)) return {1, 1};
   impl_->refresh();
@@ -219,6 +226,7 @@ int Solver::add_control_box(const CellBox& box) {
 }
 
 std::array<double, 2> Solver::control_box_impulse(int id) const {
+  impl_->sync();
   const Impl::ControlBox& box = impl_->boxes.at(id);
   const auto now = impl_->momentum_in(box.cells);
   std::array<double, 2> out;

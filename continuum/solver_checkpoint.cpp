@@ -16,7 +16,8 @@ constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, Side
 }  // namespace
 
 std::vector<std::uint8_t> Solver::checkpoint() const {
-  const Impl& m = *impl_;
+  Impl& m = *impl_;
+  m.sync();
   ByteWriter put;
   put(signature);
   put(m.settings.grid.nx), put(m.settings.grid.ny), put(static_cast<int>(m.impulse.size()));

@@ -46,14 +46,15 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
       scratch(s.threads),
       impulse(bed.obstacles.size()) {
   for (const StepObstacle& o : bed.obstacles) obstacle_boxes.push_back({o.x0, o.x1, o.y0, o.y1});
-  if (!s.refinement.empty()) {
+  if (!s.refinement.empty() || !s.ranks.alone()) {
     const bool around_x = s.sides[0].kind == Side::Kind::periodic, around_y = s.sides[2].kind == Side::Kind::periodic;
-    forest = std::make_unique<Forest>(mesh.blocks_x(), mesh.blocks_y(), around_x, around_y, s.refinement.levels());
+    forest = std::make_unique<Forest>(mesh.blocks_x(), mesh.blocks_y(), around_x, around_y, s.refinement.levels(), s.ranks);
     refine_boxes();
   }
   lay_blocks();
   states.resize(mesh.blocks().size());
   for (std::size_t k = 0; k < states.size(); ++k) size(states[k], mesh.blocks()[k]);
+  deal();
 }
 
 void Solver::Impl::lay_blocks() {
@@ -66,6 +67,7 @@ void Solver::Impl::lay_blocks() {
   inflow_block.assign(n, 0);
   tallies.resize(n);
   touched.assign(n, 0);
+  changed.assign(n, 0);
   before.resize(settings.refinement.empty() ? 0 : n);
   levels.assign(1, {});
   int largest = 0;

@@ -3,7 +3,7 @@
 //
 //   solver_impl.cpp     blocks, gauges, boxes; cells by their place       solver_zone.cpp     the covered zone
 //   solver_step.cpp     a step, level by level                            solver_refine.cpp   another mesh
-//   solver_errors.cpp   what ends a run, with its place
+//   solver_errors.cpp   what ends a run, with its place            solver_ranks.cpp     what the ranks tell each other
 
 #include <cstdint>
 #include <memory>
@@ -12,6 +12,7 @@
 
 #include "continuum/boundary/covered_zone.hpp"
 #include "continuum/boundary/ghosts.hpp"
+#include "continuum/halo.hpp"
 #include "continuum/mesh/forest.hpp"
 #include "continuum/mesh/mesh.hpp"
 #include "continuum/scheme/parameters.hpp"
@@ -34,15 +35,14 @@ struct Solver::Impl {
 
   // The blocks of one size of cells; each level takes two steps in one of the level before.
   struct Level {
-    std::vector<int> blocks, chosen;  // all; those to step
-    double strained = 0;              // [s] of its last step, for which the earth pressure has still to follow
+    std::vector<int> blocks, chosen, own;  // all; those to step; those of them that this rank steps
+    double strained = 0;                   // [s] of its last step, for which the earth pressure has still to follow
   };
 
   // What a block held before the whole step, where its own start is a later one.
   struct Before {
     Fields q;
     std::vector<double> passive_x, passive_y;
-    bool wet;
   };
 
   Impl(const SolverSettings&, const ReferenceSurface&, const StepBed&);
@@ -59,11 +59,12 @@ struct Solver::Impl {
   void look_ahead(int level, double from, double to, double dt);
   void choose(int level, bool corrector);  // blocks with material in them or beside them
   void set_inflow(double at, Moment = Moment::after);
-  void fill_ghosts(int level, double share);
-  void fill_block(int block, double share);
-  void run(int level, StageName, double dt);
-  bool negative(int level) const;  // some depth of this step fell below zero
-  void go_back();                  // to the start of the step
+  // Of the blocks that step, and of one; shares: those of the passive state, too.
+  void fill_ghosts(int level, double share, bool shares);
+  void fill_block(int block, double share, bool shares);
+  void look(int level, const std::vector<int>& blocks);
+  bool run(int level, StageName, double dt);  // false: some depth fell below zero
+  void go_back();                             // to the start of the step
   void collect_tallies();
   void count_zone(double dt);
   // These throw NumericsError, naming place and time.
@@ -71,7 +72,14 @@ struct Solver::Impl {
   [[noreturn]] void fail_negative(double dt) const;
   [[noreturn]] void fail_step(double dt) const;
 
+  // The ranks.
+  bool mine(int block) const { return owned.empty() || owned[block] != 0; }
+  void deal();           // blocks to ranks, by what they cost now
+  void share_tallies();  // all ranks have all
+  void sync();           // all ranks have all cells, ghosts apart
+
   // The mesh.
+  void fill_all_ghosts();
   void lay_blocks();  // all that goes with the mesh's blocks but their states
   void size(BlockState&, const Block&) const;
   void lay_level_faces();
@@ -126,6 +134,10 @@ struct Solver::Impl {
   std::vector<Tally> tallies;    // of this step, by block
   std::vector<char> touched;     // whether there is one
   std::vector<Before> before;    // of finer blocks, where touched
+  std::vector<char> wet_before;  // of all blocks, at the whole step's start
+  std::vector<char> owned;       // by this rank; empty: all are
+  std::vector<char> changed;     // since all ranks had them
+  Halo halo;
   CoveredZone zone;
   std::vector<std::array<double, 2>> impulse;
   std::vector<std::array<double, 4>> obstacle_boxes;  // [m] x0, x1, y0, y1

@@ -29,6 +29,7 @@ void Solver::Impl::take_leaves(const std::vector<Leaf>& leaves) {
   lay_blocks();
   states = std::vector<BlockState>(mesh.blocks().size());
   for (std::size_t k = 0; k < states.size(); ++k) size(states[k], mesh.blocks()[k]);
+  deal();
 }
 
 std::vector<Solver::Impl::Wish> Solver::Impl::wishes() const {
@@ -62,6 +63,8 @@ bool Solver::Impl::grow(const std::vector<Wish>& wishes) {
 bool Solver::Impl::adapt() {
   if (settings.refinement.adaptive.levels == 0) return false;
   refresh();
+  sync();
+  fill_all_ghosts();
   std::vector<Wish> all = wishes();
   wish_by_state(all);
   if (!grow(all)) return false;
@@ -132,12 +135,20 @@ void Solver::Impl::wish_by_state(std::vector<Wish>& all) const {
   }
 }
 
+// With what every rank holds itself.
+void Solver::Impl::fill_all_ghosts() {
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    for (int k : levels[level].blocks) {
+      ghosts->look(mesh, states, k, settings.dry_depth);
+      fill_block(k, 0, true);
+    }
+  }
+}
+
 void Solver::Impl::become(const std::vector<Leaf>& leaves) {
   const std::array<double, 2> momentum_before = momentum();
   std::vector<std::array<double, 2>> in_boxes;
   for (const ControlBox& b : boxes) in_boxes.push_back(momentum_in(b.cells));
-  for (std::size_t k = 0; k < states.size(); ++k) ghosts->fill(states, static_cast<int>(k));
-
   Mesh old = mesh;
   std::vector<BlockState> held = std::move(states);
   mesh.become(leaves);
@@ -156,6 +167,7 @@ void Solver::Impl::become(const std::vector<Leaf>& leaves) {
     }
     states[k].looked = false;
   }
+  deal();
   mark_open();
   lay_rim();
   for (std::size_t g = 0; g < gauges.size(); ++g) lay_gauge(static_cast<int>(g));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -16,21 +17,25 @@ namespace couloir {
 namespace {
 
 constexpr int most_halvings = 30;  // of a step that would overdraw a cell; a short enough step never does
+constexpr int steps_between_deals = 64;
 
 }  // namespace
 
 void Solver::Impl::step(double dt) {
   if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
   if (settings.refinement.adaptive.levels > 0 && steps % settings.refinement.adaptive.interval == 0) adapt();
+  if (!settings.ranks.alone() && steps % steps_between_deals == 0) deal();
   dt = std::min(dt, stable_dt());
   const double row = next_row(settings.sides, time);
   double end = row - time <= dt ? row : time + dt;
   dt = std::min(dt, row - time);
+  wet_before.clear();
+  for (const BlockState& s : states) wet_before.push_back(s.wet);
   for (int halvings = 0;; ++halvings) {
     std::fill(touched.begin(), touched.end(), 0);
     zone.limit(dt, std::ldexp(0.5, -halvings), [&](int i, int j) { return least_depth(i, j); });
     if (advance(0, time, end, dt, 0)) break;
-    if (halvings == most_halvings) fail_negative(dt);
+    if (halvings == most_halvings) share_tallies(), fail_negative(dt);
     go_back();
     dt *= 0.5;
     end = time + dt;
@@ -65,24 +70,30 @@ std::vector<double> Solver::Impl::begin(int level, double at, double share) {
   set_inflow(at);
   std::vector<double> rates(states.size(), 0.0), most;
   for (int l = level; l <= finest; ++l) {
-    const std::vector<int>& chosen = levels[l].chosen;
-    const int n = static_cast<int>(chosen.size());
+    const std::vector<int>& own = levels[l].own;
+    const int n = static_cast<int>(own.size());
     for (int b : levels[l].blocks) states[b].looked = states[b].looked && l == level;
-    fill_ghosts(l, l > level ? 0 : share);
+    fill_ghosts(l, l > level ? 0 : share, true);
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
     for (int k = 0; k < n; ++k) {
-      const int b = chosen[k];
+      const int b = own[k];
       rates[b] = begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()], levels[l].strained);
     }
     levels[l].strained = 0;
-    if (with_earth_pressure(parameters)) {
-#pragma omp parallel for num_threads(settings.threads) schedule(static)
-      for (int k = 0; k < n; ++k) ghosts->fill_passive(states, chosen[k]);
-    }
+    if (with_earth_pressure(parameters)) halo.tell_passive(l, states);
     most.push_back(0);
-    for (int b : chosen) most.back() = std::max(most.back(), rates[b]);
+    for (int b : own) most.back() = std::max(most.back(), rates[b]);
   }
-  if (std::ranges::any_of(most, [](double r) { return std::isinf(r); })) check_finite();
+  // Once they have followed on all these levels.
+  for (int l = level; with_earth_pressure(parameters) && l <= finest; ++l) {
+    for (int b : levels[l].chosen) changed[b] = 1;
+    const std::vector<int>& own = levels[l].own;
+    const int n = static_cast<int>(own.size());
+#pragma omp parallel for num_threads(settings.threads) schedule(static)
+    for (int k = 0; k < n; ++k) ghosts->fill_passive(states, own[k]);
+  }
+  settings.ranks.greatest(most);
+  if (std::ranges::any_of(most, [](double r) { return std::isinf(r); })) sync(), check_finite();
   return most;
 }
 
@@ -98,19 +109,20 @@ bool Solver::Impl::advance(int level, double from, double to, double dt, double 
     if (!advance(level + 1, from, middle, 0.5 * dt, 0)) return false;
     if (!advance(level + 1, middle, to, 0.5 * dt, 0.5)) return false;
   }
+  if (level + 1 < static_cast<int>(levels.size())) halo.tell_fluxes(level, across);
   choose(level, false);
-  for (int k : levels[level].chosen) {
-    if (!states[k].begun) fill_block(k, share);  // material has come near while the finer levels stepped
+  look(level, levels[level].chosen);
+  for (int k : levels[level].own) {
+    if (!states[k].begun) fill_block(k, share, true);  // material has come near while the finer levels stepped
   }
   set_inflow(from);
   for (int side = 0; side < 4; ++side) parameters.discharge[side] = mean_discharge(settings.sides[side], from, to);
-  run(level, StageName::predictor, dt);
+  if (!run(level, StageName::predictor, dt)) return false;
   choose(level, true);
   set_inflow(to, Moment::before);
-  fill_ghosts(level, share + 0.5);
-  run(level, StageName::corrector, dt);
+  fill_ghosts(level, share + 0.5, false);  // the shares of the passive state stay within a step
   levels[level].strained = dt;
-  return !negative(level);
+  return run(level, StageName::corrector, dt);
 }
 
 // The predictor, for the sake of what it says of the cells beside finer ones.
@@ -118,7 +130,7 @@ void Solver::Impl::look_ahead(int level, double from, double to, double dt) {
   for (int side = 0; side < 4; ++side) parameters.discharge[side] = mean_discharge(settings.sides[side], from, to);
   set_inflow(from);
   std::vector<int> beside;
-  for (int k : levels[level].chosen) {
+  for (int k : levels[level].own) {
     if (beside_finer[k]) beside.push_back(k);
   }
   const int n = static_cast<int>(beside.size());
@@ -133,14 +145,18 @@ void Solver::Impl::look_ahead(int level, double from, double to, double dt) {
                 dt, nobodys);
     }
   }
-  for (int k : levels[level + 1].chosen) ghosts->look_ahead(states, k);
-  for (int k : beside) states[k].back_to_start(mesh.blocks()[k]);
+  for (int k : levels[level + 1].chosen) ghosts->look_ahead(states, k, owned);
+  halo.tell_looks(level + 1, *ghosts);
+  for (int k : beside) {
+    states[k].back_to_start(mesh.blocks()[k]);
+    states[k].wet = states[k].was_wet;
+  }
   for (int k : levels[level].blocks) std::fill(across[k].begin(), across[k].end(), LevelFlux{});
 }
 
 void Solver::Impl::choose(int level, bool corrector) {
   Level& l = levels[level];
-  l.chosen.clear();
+  l.chosen.clear(), l.own.clear();
   for (int k : l.blocks) {
     BlockState& s = states[k];
     bool active = inflow_block[k] || !faces[k].rim.empty() || s.wet;
@@ -157,6 +173,7 @@ void Solver::Impl::choose(int level, bool corrector) {
     }
     if (active || (corrector && s.stepped)) l.chosen.push_back(k);
   }
+  std::ranges::copy_if(l.chosen, std::back_inserter(l.own), [&](int k) { return mine(k); });
 }
 
 void Solver::Impl::set_inflow(double at, Moment moment) {
@@ -164,45 +181,66 @@ void Solver::Impl::set_inflow(double at, Moment moment) {
   for (int side = 0; side < 4; ++side) parameters.inflow[side] = inflow_at(settings.sides[side], at, moment);
 }
 
-void Solver::Impl::fill_ghosts(int level, double share) {
-  const std::vector<int>& chosen = levels[level].chosen;
-  const int n = static_cast<int>(chosen.size());
+void Solver::Impl::fill_ghosts(int level, double share, bool shares) {
+  look(level, levels[level].chosen);
+  const std::vector<int>& own = levels[level].own;
+  const int n = static_cast<int>(own.size());
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
-  for (int k = 0; k < n; ++k) fill_block(chosen[k], share);
+  for (int k = 0; k < n; ++k) fill_block(own[k], share, shares || !states[own[k]].stepped);
 }
 
-void Solver::Impl::fill_block(int k, double share) {
-  if (!states[k].looked) ghosts->look(mesh, states, k, settings.dry_depth);
-  states[k].looked = true;
+void Solver::Impl::fill_block(int k, double share, bool shares) {
   ghosts->fill(states, k, share);
-  if (with_earth_pressure(parameters)) ghosts->fill_passive(states, k);
+  if (with_earth_pressure(parameters) && shares) ghosts->fill_passive(states, k);
 }
 
-void Solver::Impl::run(int level, StageName stage, double dt) {
-  const std::vector<int>& chosen = levels[level].chosen;
-  const int n = static_cast<int>(chosen.size());
-#pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
-  for (int k = 0; k < n; ++k) {
-    const int b = chosen[k];
-    if (!touched[b]) {
-      touched[b] = 1;
-      tallies[b].reset(impulse.size(), gauges.size(), boxes.size());
-      if (level > 0) before[b] = {states[b].now, states[b].passive_x, states[b].passive_y, states[b].wet};
-    }
-    run_stage(parameters, mesh.blocks()[b], faces[b], zone, {&across[b], &across}, states[b], scratch[omp_get_thread_num()],
-              stage, dt, tallies[b]);
+// Each rank at its own coarser cells, for all who have finer ones beside them.
+void Solver::Impl::look(int level, const std::vector<int>& blocks) {
+  if (level == 0) return;
+  bool any = false;
+  for (int k : blocks) {
+    if (states[k].looked) continue;
+    ghosts->look(mesh, states, k, settings.dry_depth, owned);
+    states[k].looked = any = true;
   }
+  if (any) halo.tell_looks(level, *ghosts);
 }
 
 // The bound of stable_dt() is that of the step's start; a stage that speeds the flow up a lot may overdraw a cell.
-bool Solver::Impl::negative(int level) const {
-  return std::ranges::any_of(levels[level].chosen, [&](int k) { return tallies[k].min_depth < 0; });
+bool Solver::Impl::run(int level, StageName stage, double dt) {
+  constexpr char wet = 1, negative = 2;
+  const Level& l = levels[level];
+  for (int b : l.chosen) {
+    if (!touched[b]) {
+      tallies[b].reset(impulse.size(), gauges.size(), boxes.size());
+      if (level > 0 && mine(b)) before[b] = {states[b].now, states[b].passive_x, states[b].passive_y};
+    }
+    touched[b] = changed[b] = 1;
+  }
+  const int n = static_cast<int>(l.own.size());
+#pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
+  for (int k = 0; k < n; ++k) {
+    const int b = l.own[k];
+    run_stage(parameters, mesh.blocks()[b], faces[b], zone, {&across[b], &across}, states[b], scratch[omp_get_thread_num()],
+              stage, dt, tallies[b]);
+  }
+  std::vector<char> flags;
+  for (int b : l.chosen) flags.push_back(mine(b) ? (states[b].wet ? wet : 0) | (tallies[b].min_depth < 0 ? negative : 0) : 0);
+  settings.ranks.any(flags);
+  bool good = true;
+  for (std::size_t k = 0; k < flags.size(); ++k) {
+    states[l.chosen[k]].wet = flags[k] & wet;
+    good = good && !(flags[k] & negative);
+  }
+  halo.tell_state(level, states);
+  return good;
 }
 
 void Solver::Impl::go_back() {
   for (std::size_t k = 0; k < states.size(); ++k) {
-    if (!touched[k]) continue;
     BlockState& s = states[k];
+    s.wet = wet_before[k];
+    if (!touched[k] || !mine(static_cast<int>(k))) continue;
     if (mesh.blocks()[k].level == 0) {
       s.back_to_start(mesh.blocks()[k]);
       continue;
@@ -210,13 +248,17 @@ void Solver::Impl::go_back() {
     std::swap(s.now, before[k].q);
     std::swap(s.passive_x, before[k].passive_x);
     std::swap(s.passive_y, before[k].passive_y);
-    s.wet = before[k].wet;
   }
-  for (Level& l : levels) l.strained = 0;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    levels[l].strained = 0;
+    halo.tell_state(static_cast<int>(l), states);
+    if (with_earth_pressure(parameters)) halo.tell_passive(static_cast<int>(l), states);
+  }
   begin(0, time, 0);
 }
 
 void Solver::Impl::collect_tallies() {
+  share_tallies();
   bool finite = true;
   for (std::size_t k = 0; k < states.size(); ++k) {
     if (!touched[k]) continue;
@@ -232,7 +274,7 @@ void Solver::Impl::collect_tallies() {
     cell_updates += t.cell_updates;
     finite = finite && t.finite;
   }
-  if (!finite) check_finite();
+  if (!finite) sync(), check_finite();
 }
 
 }  // namespace couloir

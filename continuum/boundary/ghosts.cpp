@@ -74,11 +74,14 @@ Ghosts::Ghosts(const Mesh& mesh, const std::array<Side, 4>& sides) : sides_(side
   for (const Block& b : mesh.blocks()) rows_.push_back(b.row());
   for (std::size_t k = 0; k < mesh.blocks().size(); ++k) {
     const Block& b = mesh.blocks()[k];
+    // Along each side, so that copies make long runs.
     for (int j = -Block::ghosts; j < b.ny + Block::ghosts; ++j) {
-      for (int i = -Block::ghosts; i < b.nx + Block::ghosts; ++i) {
-        const bool interior = i >= 0 && i < b.nx && j >= 0 && j < b.ny;
-        if (!interior) plan_cell(mesh, static_cast<int>(k), i, j);
-      }
+      if (j >= 0 && j < b.ny) continue;
+      for (int i = -Block::ghosts; i < b.nx + Block::ghosts; ++i) plan_cell(mesh, static_cast<int>(k), i, j);
+    }
+    for (int i = -Block::ghosts; i < b.nx + Block::ghosts; ++i) {
+      if (i >= 0 && i < b.nx) continue;
+      for (int j = 0; j < b.ny; ++j) plan_cell(mesh, static_cast<int>(k), i, j);
     }
     std::vector<int>& n = plans_[k].neighbours;
     std::sort(n.begin(), n.end());
@@ -101,10 +104,34 @@ void Ghosts::plan_cell(const Mesh& mesh, int block, int i, int j) {
   const Mesh::Found from = mesh.find(b.level, sx.index, sy.index);
   if (from.block < 0) throw std::logic_error("two blocks that touch differ by more than one level");
   plan.neighbours.push_back(from.block);
-  if (from.level == b.level) plan.copies.push_back({to, {from.block, from.cell}});
+  if (from.level == b.level) copy(block, {to, {from.block, from.cell}});
   if (from.level > b.level) plan.finer.push_back({to, {from.block, from.cell}});
   const bool first = sx.index % 2 == 0 && sy.index % 2 == 0;
-  if (from.level < b.level && first) plan.coarser.push_back({to, {from.block, from.cell}, {}, {}, {}, 0, {}});
+  if (from.level < b.level && first) plan.coarser.push_back({to, {from.block, from.cell}, {}, 0, {}});
+}
+
+void Ghosts::copy(int block, const Copy& c) {
+  std::vector<Run>& runs = plans_[block].copies;
+  if (!runs.empty() && runs.back().from.block == c.from.block) {
+    Run& r = runs.back();
+    if (r.count == 1) r.to_step = c.to - r.to, r.from_step = c.from.cell - r.from.cell;
+    if (c.to == r.to + r.count * r.to_step && c.from.cell == r.from.cell + r.count * r.from_step) {
+      ++r.count;
+      return;
+    }
+  }
+  runs.push_back({c.to, 0, c.from, 0, 1});
+}
+
+// The copies of one quantity. What lies in one row is moved as a whole.
+void Ghosts::take(const Run& r, const std::vector<double>& from, std::vector<double>& to) {
+  const double* f = from.data() + r.from.cell;
+  double* t = to.data() + r.to;
+  if (r.to_step == 1 && r.from_step == 1) {
+    std::copy_n(f, r.count, t);
+    return;
+  }
+  for (int n = 0; n < r.count; ++n) t[n * r.to_step] = f[n * r.from_step];
 }
 
 template <class F>
@@ -119,11 +146,11 @@ void Ghosts::extend(Mesh& mesh) {
     for (std::size_t k = 0; k < plans_.size(); ++k) {
       Block& b = mesh.blocks()[k];
       if (b.level != level) continue;
-      for (const Copy& c : plans_[k].copies) {
-        const Block& other = mesh.blocks()[c.from.block];
-        b.bed[c.to] = other.bed[c.from.cell];
-        b.top[c.to] = other.top[c.from.cell];
-        b.obstacle[c.to] = other.obstacle[c.from.cell];
+      for (const Run& r : plans_[k].copies) {
+        const Block& other = mesh.blocks()[r.from.block];
+        take(r, other.bed, b.bed);
+        take(r, other.top, b.top);
+        for (int n = 0; n < r.count; ++n) b.obstacle[r.to + n * r.to_step] = other.obstacle[r.from.cell + n * r.from_step];
       }
       for (const Copy& c : plans_[k].finer) {
         const Block& other = mesh.blocks()[c.from.block];
@@ -165,40 +192,41 @@ void Ghosts::set_time(double time, Moment moment) {
   }
 }
 
-void Ghosts::look(const Mesh& mesh, const std::vector<BlockState>& states, int block, double dry_depth) {
+void Ghosts::look(const Mesh& mesh, const std::vector<BlockState>& states, int block, double dry_depth,
+                  const std::vector<char>& mine) {
   for (FromCoarser& c : plans_[block].coarser) {
+    if (!mine.empty() && !mine[c.from.block]) continue;
     const Fields& q = states[c.from.block].now;
-    const Block& b = mesh.blocks()[c.from.block];
     const int n = c.from.cell;
-    c.now = {q.h[n], q.hu[n], q.hv[n]};
-    c.change = {};
-    c.slopes = slopes_of(q, b, n, dry_depth);
+    c.look = {{q.h[n], q.hu[n], q.hv[n]}, {}, slopes_of(q, mesh.blocks()[c.from.block], n, dry_depth)};
   }
 }
 
-void Ghosts::look_ahead(const std::vector<BlockState>& states, int block) {
+void Ghosts::look_ahead(const std::vector<BlockState>& states, int block, const std::vector<char>& mine) {
   for (FromCoarser& c : plans_[block].coarser) {
+    if (!mine.empty() && !mine[c.from.block]) continue;
     const BlockState& s = states[c.from.block];
     const int n = c.from.cell;
-    c.change = {};
-    if (s.stepped) c.change = {s.now.h[n] - s.start.h[n], s.now.hu[n] - s.start.hu[n], s.now.hv[n] - s.start.hv[n]};
+    c.look.change = {};
+    if (s.stepped) c.look.change = {s.now.h[n] - s.start.h[n], s.now.hu[n] - s.start.hu[n], s.now.hv[n] - s.start.hv[n]};
   }
 }
 
 void Ghosts::fill(std::vector<BlockState>& states, int block, double share) const {
   const Plan& plan = plans_[block];
   Fields& to = states[block].now;
-  for (const Copy& c : plan.copies) {
-    const Fields& from = states[c.from.block].now;
-    to.h[c.to] = from.h[c.from.cell];
-    to.hu[c.to] = from.hu[c.from.cell];
-    to.hv[c.to] = from.hv[c.from.cell];
+  for (const Run& r : plan.copies) {
+    const Fields& from = states[r.from.block].now;
+    take(r, from.h, to.h);
+    take(r, from.hu, to.hu);
+    take(r, from.hv, to.hv);
   }
   const auto put = [&](int cell, const FlowState& q) { to.h[cell] = q.h, to.hu[cell] = q.hu, to.hv[cell] = q.hv; };
   for (const Copy& c : plan.finer) put(c.to, parent_of(states[c.from.block].now, rows_[c.from.block], c.from.cell));
   for (const FromCoarser& c : plan.coarser) {
-    const FlowState q{c.now.h + share * c.change.h, c.now.hu + share * c.change.hu, c.now.hv + share * c.change.hv};
-    const auto children = children_of(q, c.bed, c.slopes, c.children);
+    const auto& [now, change, slopes] = c.look;
+    const FlowState q{now.h + share * change.h, now.hu + share * change.hu, now.hv + share * change.hv};
+    const auto children = children_of(q, c.bed, slopes, c.children);
     const auto cells = four(c.to, rows_[block]);
     for (int k = 0; k < 4; ++k) put(cells[k], children[k]);
   }
@@ -215,7 +243,7 @@ void Ghosts::fill(std::vector<BlockState>& states, int block, double share) cons
 template <class F>
 void Ghosts::fill_plain(int block, std::vector<double>& to, F&& of) const {
   const Plan& plan = plans_[block];
-  for (const Copy& c : plan.copies) to[c.to] = of(c.from.block)[c.from.cell];
+  for (const Run& r : plan.copies) take(r, of(r.from.block), to);
   for (const Copy& c : plan.finer) to[c.to] = mean_of_children(of(c.from.block).data(), c.from.cell, rows_[c.from.block]);
   for (const FromCoarser& c : plan.coarser) {
     for (int cell : four(c.to, rows_[block])) to[cell] = of(c.from.block)[c.from.cell];

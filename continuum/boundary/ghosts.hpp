@@ -29,9 +29,10 @@ class Ghosts {
   // The time [s] at which fill() takes the inflows; before the first call: 0.
   void set_time(double time, Moment = Moment::after);
   // What the coarser cells beside one block hold now and how they slope, for fill() from now on; their ghosts must be filled.
-  void look(const Mesh&, const std::vector<BlockState>&, int block, double dry_depth);
+  // mine: only those of the blocks with a flag; empty: all.
+  void look(const Mesh&, const std::vector<BlockState>&, int block, double dry_depth, const std::vector<char>& mine = {});
   // By how much they change in their present step: from BlockState::start to now, where the block was stepped.
-  void look_ahead(const std::vector<BlockState>&, int block);
+  void look_ahead(const std::vector<BlockState>&, int block, const std::vector<char>& mine = {});
   // State in the ghosts of one block, from the interiors of the others; share: of the coarser cells' step that has passed.
   void fill(std::vector<BlockState>&, int block, double share = 0) const;
   // Shares of the passive state, likewise; what flows in has that of the cells it meets.
@@ -43,18 +44,41 @@ class Ghosts {
     int to;          // cell of this block
     CellPlace from;  // interior cell of another block; the first of four where they are finer
   };
+  // A coarser cell as the four finer ghosts in it see it.
+  struct Look {
+    FlowState now, change;
+    CellSlopes slopes;
+  };
+  struct FromCoarser {
+    int to;          // the first of the ghosts
+    CellPlace from;  // the cell
+    Look look;
+    double bed;                      // of the cell
+    std::array<double, 4> children;  // of the ghosts
+  };
+  std::vector<FromCoarser>& coarser(int block) { return plans_[block].coarser; }
   const std::vector<Copy>& finer(int block) const { return plans_[block].finer; }  // ghosts beside finer blocks
+  // take(place) for each cell of other blocks from which the ghosts of one are filled.
+  template <class F>
+  void for_sources(int block, F&& take) const {
+    const Plan& plan = plans_[block];
+    for (const Run& r : plan.copies) {
+      for (int n = 0; n < r.count; ++n) take(CellPlace{r.from.block, r.from.cell + n * r.from_step});
+    }
+    for (const Copy& c : plan.finer) {
+      const int row = rows_[c.from.block];
+      for (int cell : {0, 1, row, row + 1}) take(CellPlace{c.from.block, c.from.cell + cell});
+    }
+    for (const FromCoarser& c : plan.coarser) take(c.from);
+  }
   // Blocks from which this one's ghosts take.
   const std::vector<int>& neighbours(int block) const { return plans_[block].neighbours; }
 
  private:
-  struct FromCoarser {
-    int to;          // the first of four ghosts
-    CellPlace from;  // the cell around them
-    FlowState now, change;
-    CellSlopes slopes;
-    double bed;                      // of the cell
-    std::array<double, 4> children;  // of the ghosts
+  struct Run {  // copies at even distances
+    int to, to_step;
+    CellPlace from;
+    int from_step, count;
   };
   struct Mirror {  // a cell of this block whose momentum may turn
     int to, from;
@@ -65,7 +89,8 @@ class Ghosts {
     int side;
   };
   struct Plan {  // in this order: what lies beyond the domain's sides takes from the ghosts inside
-    std::vector<Copy> copies, finer;
+    std::vector<Run> copies;
+    std::vector<Copy> finer;
     std::vector<FromCoarser> coarser;
     std::vector<Mirror> mirrors;
     std::vector<Fixed> fixed;
@@ -76,6 +101,8 @@ class Ghosts {
   template <class F>
   void fill_plain(int block, std::vector<double>& to, F&& of) const;  // of(block): the others' values
   void plan_cell(const Mesh&, int block, int i, int j);
+  static void take(const Run&, const std::vector<double>& from, std::vector<double>& to);
+  void copy(int block, const Copy&);  // joins it to the run before where it goes on
 
   std::array<Side, 4> sides_;
   std::array<FlowState, 4> inflow_{};  // of each side, now

@@ -61,7 +61,6 @@ struct BlockState {
     for (int j = 0; j < b.ny; ++j) {
       for (int c = b.at(0, j); c < b.at(b.nx, j); ++c) now.h[c] = start.h[c], now.hu[c] = start.hu[c], now.hv[c] = start.hv[c];
     }
-    wet = was_wet;
   }
 };
 

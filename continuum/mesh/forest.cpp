@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "continuum/bytes.hpp"
 #include "continuum/mesh/mpi_session.hpp"
 
 namespace couloir {
@@ -15,7 +16,7 @@ namespace {
 
 struct Callback {
   std::vector<std::pair<int, int>> tree_place;  // of each tree in the brick
-  const std::function<int(const Leaf&)>* wanted = nullptr;
+  const std::function<int(const Leaf&)>*wanted = nullptr, *weight = nullptr;
   int levels = 0;
 
   Leaf leaf(p4est_topidx_t tree, const p4est_quadrant_t& q) const {
@@ -42,9 +43,15 @@ int coarsen(p4est_t* forest, p4est_topidx_t tree, p4est_quadrant_t* children[]) 
   return 1;
 }
 
+int weigh(p4est_t* forest, p4est_topidx_t tree, p4est_quadrant_t* q) {
+  const Callback& c = callback(forest);
+  return (*c.weight)(c.leaf(tree, *q));
+}
+
 }  // namespace
 
 struct Forest::Impl {
+  Ranks ranks;
   Callback callback;
   p4est_connectivity_t* brick = nullptr;
   p4est_t* forest = nullptr;
@@ -54,16 +61,18 @@ struct Forest::Impl {
   }
 };
 
-Forest::Forest(int blocks_x, int blocks_y, bool periodic_x, bool periodic_y, int levels) : impl_(std::make_unique<Impl>()) {
+Forest::Forest(int blocks_x, int blocks_y, bool periodic_x, bool periodic_y, int levels, const Ranks& ranks)
+    : impl_(std::make_unique<Impl>()) {
   use_mpi();
   Impl& m = *impl_;
   m.brick = p4est_connectivity_new_brick(blocks_x, blocks_y, periodic_x, periodic_y);
+  m.ranks = ranks;
   m.callback.levels = levels;
   for (p4est_topidx_t t = 0; t < m.brick->num_trees; ++t) {
     const double* corner = m.brick->vertices + 3 * m.brick->tree_to_vertex[P4EST_CHILDREN * t];
     m.callback.tree_place.emplace_back(static_cast<int>(corner[0]), static_cast<int>(corner[1]));
   }
-  m.forest = p4est_new(sc_MPI_COMM_SELF, m.brick, 0, nullptr, &m.callback);
+  m.forest = p4est_new(ranks.alone() ? sc_MPI_COMM_SELF : sc_MPI_COMM_WORLD, m.brick, 0, nullptr, &m.callback);
   read_leaves();
 }
 
@@ -98,14 +107,29 @@ void Forest::become(const std::vector<Leaf>& leaves) {
   }
 }
 
+void Forest::deal(const std::function<int(const Leaf&)>& weight) {
+  Impl& m = *impl_;
+  m.callback.weight = &weight;
+  p4est_partition(m.forest, 1, weigh);
+  m.callback.weight = nullptr;
+  read_leaves();
+}
+
 void Forest::read_leaves() {
-  leaves_.clear();
+  ByteWriter own;
   const p4est_t& f = *impl_->forest;
   for (p4est_topidx_t t = f.first_local_tree; t <= f.last_local_tree; ++t) {
     p4est_tree_t* tree = p4est_tree_array_index(f.trees, t);
     for (std::size_t k = 0; k < tree->quadrants.elem_count; ++k) {
-      leaves_.push_back(impl_->callback.leaf(t, *p4est_quadrant_array_index(&tree->quadrants, k)));
+      own(impl_->callback.leaf(t, *p4est_quadrant_array_index(&tree->quadrants, k)));
+      own(impl_->ranks.mine());
     }
+  }
+  const std::vector<std::uint8_t> bytes = impl_->ranks.gather(own.bytes);
+  leaves_.clear(), owners_.clear();
+  for (ByteReader all(bytes); !all.done();) {
+    leaves_.push_back(all.take<Leaf>());
+    owners_.push_back(all.take<int>());
   }
 }
 

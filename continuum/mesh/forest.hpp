@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "continuum/mesh/grid.hpp"
+#include "continuum/mesh/ranks.hpp"
 
 namespace couloir {
 
@@ -17,10 +18,11 @@ struct Leaf {
   bool operator==(const Leaf&) const = default;
 };
 
+// All ranks must call its functions together, and get the same.
 class Forest {
  public:
   // A brick of blocks_x x blocks_y trees; levels: how deep it may grow.
-  Forest(int blocks_x, int blocks_y, bool periodic_x, bool periodic_y, int levels);
+  Forest(int blocks_x, int blocks_y, bool periodic_x, bool periodic_y, int levels, const Ranks& = {});
   ~Forest();
 
   // In the order of the Morton curve.
@@ -29,6 +31,11 @@ class Forest {
   // Grows and cuts each leaf by at most one level towards the level wanted there, as far as the balance of 2:1 allows; four
   // children are cut only together. Returns whether anything has changed.
   bool adapt(const std::function<int(const Leaf&)>& wanted_level);
+
+  // Deals the leaves out among the ranks, each a stretch of the Morton curve of about the same sum of weights; four children stay
+  // together.
+  void deal(const std::function<int(const Leaf&)>& weight);
+  const std::vector<int>& owners() const { return owners_; }  // ranks, of each leaf
 
   // The leaves as they were told before.
   void become(const std::vector<Leaf>&);
@@ -39,6 +46,7 @@ class Forest {
 
   std::unique_ptr<Impl> impl_;
   std::vector<Leaf> leaves_;
+  std::vector<int> owners_;
 };
 
 }  // namespace couloir

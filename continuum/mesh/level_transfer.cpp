@@ -20,7 +20,8 @@ CellSlopes slopes_of(const Fields& q, const Block& b, int c, double dry) {
   const int row = b.row();
   const int around[] = {c - 1, c + 1, c - row, c + row};
   CellSlopes s;
-  bool wet = q.h[c] >= dry;
+  if (q.h[c] < dry) return s;
+  bool wet = true;
   for (int n : {c, c - 1, c + 1, c - row, c + row}) {
     wet = wet && q.h[n] >= dry;
     if (q.h[n] < dry) continue;

@@ -21,7 +21,7 @@ struct CellSlopes {
   bool surface = false;                 // hx, hy are those of h + z_b
 };
 
-// Of a block's cell that has neighbours in its arrays. dry_depth [m].
+// Of a block's cell that has neighbours in its arrays; a film has none, whatever lies beside it. dry_depth [m].
 CellSlopes slopes_of(const Fields&, const Block&, int cell, double dry_depth);
 
 // Likewise of the bed alone.

@@ -21,6 +21,7 @@ void use_mpi() {
   int begun = 0;
   MPI_Initialized(&begun);
   if (begun) return;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);  // else a program on its own starts a daemon
   int given = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &given);
   std::atexit(end_mpi);

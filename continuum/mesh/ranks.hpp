@@ -1,0 +1,31 @@
+#pragma once
+// The processes that share one run: those of MPI's world. All hold the whole mesh and state; each steps its own blocks.
+
+#include <cstdint>
+#include <vector>
+
+namespace couloir {
+
+class Ranks {
+ public:
+  Ranks() = default;  // this process alone; MPI is not begun
+  // Those of the program; as many as mpirun was told.
+  static Ranks of_program();
+
+  int count() const { return count_; }
+  int mine() const { return mine_; }
+  bool alone() const { return count_ == 1; }
+
+  // All ranks must call these together, with vectors of the same length on all.
+  void greatest(std::vector<double>&) const;  // each entry: the greatest of all ranks
+  void any(std::vector<char>&) const;         // each entry: the bits that some rank has set
+  // What each rank tells each other one, by rank; `in` has the right sizes already.
+  void exchange(const std::vector<std::vector<double>>& out, std::vector<std::vector<double>>& in) const;
+  // What all ranks have, one after the other.
+  std::vector<std::uint8_t> gather(const std::vector<std::uint8_t>&) const;
+
+ private:
+  int count_ = 1, mine_ = 0;
+};
+
+}  // namespace couloir
