@@ -119,7 +119,7 @@ void Solver::Impl::refresh() {
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
   for (int k = 0; k < n; ++k) {
     const int b = chosen[k];
-    rates[b] = begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()], strained);
+    rates[b] = kernels.begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()], strained);
   }
   strained = 0;
   if (with_earth_pressure(parameters)) {
@@ -177,7 +177,7 @@ void Solver::Impl::run(StageName stage, double dt) {
   for (int k = 0; k < n; ++k) {
     const int b = chosen[k];
     tally[b].reset(impulse.size(), gauges.size(), boxes.size());
-    run_stage(parameters, mesh.blocks()[b], faces[b], zone, states[b], scratch[omp_get_thread_num()], stage, dt, tally[b]);
+    kernels.run_stage(parameters, mesh.blocks()[b], faces[b], zone, states[b], scratch[omp_get_thread_num()], stage, dt, tally[b]);
   }
 }
 

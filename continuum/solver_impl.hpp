@@ -8,6 +8,7 @@
 #include "continuum/boundary/covered_zone.hpp"
 #include "continuum/boundary/ghosts.hpp"
 #include "continuum/mesh/mesh.hpp"
+#include "continuum/scheme/kernels.hpp"
 #include "continuum/scheme/parameters.hpp"
 #include "continuum/scheme/stage.hpp"
 #include "continuum/solver.hpp"
@@ -63,6 +64,7 @@ struct Solver::Impl {
 
   SolverSettings settings;
   Parameters parameters;
+  const Kernels& kernels = couloir::kernels();
   Mesh mesh;
   Ghosts ghosts;
   std::vector<BlockState> states;
