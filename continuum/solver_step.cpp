@@ -77,7 +77,7 @@ std::vector<double> Solver::Impl::begin(int level, double at, double share) {
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
     for (int k = 0; k < n; ++k) {
       const int b = own[k];
-      rates[b] = begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()], levels[l].strained);
+      rates[b] = kernels.begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()], levels[l].strained);
     }
     levels[l].strained = 0;
     if (with_earth_pressure(parameters)) halo.tell_passive(l, states);
@@ -141,8 +141,8 @@ void Solver::Impl::look_ahead(int level, double from, double to, double dt) {
     for (int m = 0; m < n; ++m) {
       const int k = beside[m];
       nobodys.reset(impulse.size(), gauges.size(), boxes.size());
-      run_stage(parameters, mesh.blocks()[k], faces[k], zone, {}, states[k], scratch[omp_get_thread_num()], StageName::predictor,
-                dt, nobodys);
+      kernels.run_stage(parameters, mesh.blocks()[k], faces[k], zone, {}, states[k], scratch[omp_get_thread_num()],
+                        StageName::predictor, dt, nobodys);
     }
   }
   for (int k : levels[level + 1].chosen) ghosts->look_ahead(states, k, owned);
@@ -221,8 +221,8 @@ bool Solver::Impl::run(int level, StageName stage, double dt) {
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
   for (int k = 0; k < n; ++k) {
     const int b = l.own[k];
-    run_stage(parameters, mesh.blocks()[b], faces[b], zone, {&across[b], &across}, states[b], scratch[omp_get_thread_num()],
-              stage, dt, tallies[b]);
+    kernels.run_stage(parameters, mesh.blocks()[b], faces[b], zone, {&across[b], &across}, states[b],
+                      scratch[omp_get_thread_num()], stage, dt, tallies[b]);
   }
   std::vector<char> flags;
   for (int b : l.chosen) flags.push_back(mine(b) ? (states[b].wet ? wet : 0) | (tallies[b].min_depth < 0 ? negative : 0) : 0);
