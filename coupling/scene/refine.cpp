@@ -14,6 +14,11 @@ RefineRectangle refine_rectangle(const Scene& scene, const RefineSpec& r) {
   return {o.x - r.up, edge + r.down, o.y - o.width / 2 - r.left, o.y + o.width / 2 + r.right};
 }
 
+RefineRectangle within_domain(const Scene& scene, const RefineRectangle& r) {
+  const double length = scene.terrain.total_length(), half = scene.terrain.width / 2;
+  return {std::max(r.x0, 0.0), std::min(r.x1, length), std::max(r.y0, -half), std::min(r.y1, half)};
+}
+
 int block_edge(const Scene& scene) {
   const ContinuumSpec& c = scene.continuum;
   if (c.block > 0) return c.block;
@@ -38,7 +43,7 @@ double estimated_cells(const Scene& scene) {
   double cells = domain / cell;
   const bool blocks = c.scheme != "noc";
   for (const RefineSpec& r : c.refine) {
-    const RefineRectangle box = refine_rectangle(scene, r);
+    const RefineRectangle box = within_domain(scene, refine_rectangle(scene, r));
     for (int level = 1; level <= r.levels; ++level) {
       // Whole blocks of the level before are cut into four; on the mean one more along each direction than the rectangle has.
       const double more = 2 * r.margin * (r.levels - level), part = std::ldexp(block_edge(scene), 1 - level);
@@ -48,7 +53,7 @@ double estimated_cells(const Scene& scene) {
       cells += 0.75 * area / cell * std::ldexp(1, 2 * level);
     }
   }
-  if (c.adapt.levels > 0) cells += wet_area(scene) / cell * (std::ldexp(1, 2 * c.adapt.levels) - 1);
+  if (c.adapt.levels > 0) cells += followed_share * wet_area(scene) / cell * (std::ldexp(1, 2 * c.adapt.levels) - 1);
   return cells;
 }
 
