@@ -41,6 +41,8 @@ class Solver final : public FlowModel {
   void gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const override;
   std::vector<BlockPlace> blocks() const override;
   void gather_block(int, std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const override;
+  void for_finest(double x0, double x1, double y0, double y1, const std::function<void(const Sample&)>&) const override;
+  FlowState interpolated(double x, double y) const override;
   double volume() const override;                   // [m3] of the cells that are not covered
   std::array<double, 2> momentum() const override;  // [m4/s] of the cells that are not covered
   double min_depth() const override;

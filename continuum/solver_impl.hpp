@@ -3,7 +3,8 @@
 //
 //   solver_impl.cpp     blocks, gauges, boxes; cells by their place       solver_zone.cpp     the covered zone
 //   solver_step.cpp     a step, level by level                            solver_refine.cpp   another mesh
-//   solver_errors.cpp   what ends a run, with its place            solver_ranks.cpp     what the ranks tell each other
+//   solver_errors.cpp   what ends a run, with its place                   solver_ranks.cpp    what the ranks tell each other
+//   solver_read.cpp     refined cells by their place
 
 #include <cstdint>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "continuum/halo.hpp"
 #include "continuum/mesh/forest.hpp"
 #include "continuum/mesh/mesh.hpp"
+#include "continuum/mesh/wishes.hpp"
 #include "continuum/scheme/kernels.hpp"
 #include "continuum/scheme/parameters.hpp"
 #include "continuum/scheme/stage.hpp"
@@ -87,11 +89,6 @@ struct Solver::Impl {
   void take_leaves(const std::vector<Leaf>&);  // an empty mesh of these blocks
   void refine_boxes();                         // as the settings' boxes want
   bool adapt();                                // as the state wants; false: the mesh is right
-  struct Wish {                                // cells halved `level` times in a rectangle [m]
-    double x0, x1, y0, y1;
-    int level;
-  };
-  std::vector<Wish> wishes() const;
   void wish_by_state(std::vector<Wish>&) const;
   bool grow(const std::vector<Wish>&);  // by one level at most, anywhere
   void become(const std::vector<Leaf>&);
@@ -113,6 +110,8 @@ struct Solver::Impl {
   FlowState get(int i, int j) const;
   void put_in(int block, int cell, const FlowState&);
   double least_depth(int i, int j) const;  // of the finer ones in it
+  // Of a cell of this level, or the mean of the finer ones in it; none where the cells are coarser.
+  std::optional<FlowState> state_at(int level, int i, int j) const;
   // Shares of the passive state along x and y; 0 where the closure is hydraulic.
   std::array<double, 2> passive(int i, int j) const;
   void set_active(int i, int j);  // the earth pressure

@@ -15,7 +15,7 @@ constexpr int children[][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
 }  // namespace
 
 void Solver::Impl::refine_boxes() {
-  while (grow(wishes())) mesh.become(forest->leaves());
+  while (grow(wishes_of(settings.refinement.boxes))) mesh.become(forest->leaves());
 }
 
 void Solver::Impl::take_leaves(const std::vector<Leaf>& leaves) {
@@ -32,32 +32,9 @@ void Solver::Impl::take_leaves(const std::vector<Leaf>& leaves) {
   deal();
 }
 
-std::vector<Solver::Impl::Wish> Solver::Impl::wishes() const {
-  std::vector<Wish> all;
-  for (const RefineBox& b : settings.refinement.boxes) {
-    for (int level = 1; level <= b.levels; ++level) {
-      const double more = b.margin * (b.levels - level);
-      all.push_back({b.x0 - more, b.x1 + more, b.y0 - more, b.y1 + more, level});
-    }
-  }
-  return all;
-}
-
 // One level a time, so that no block's new cells are more than one level away from its old ones.
 bool Solver::Impl::grow(const std::vector<Wish>& wishes) {
-  const double width = settings.block * settings.grid.dx, height = settings.block * settings.grid.dy;
-  const auto wanted = [&](const Leaf& leaf) {
-    const double x0 = settings.grid.x0 + std::ldexp(leaf.bi * width, -leaf.level), x1 = x0 + std::ldexp(width, -leaf.level);
-    const double y0 = settings.grid.y0 + std::ldexp(leaf.bj * height, -leaf.level), y1 = y0 + std::ldexp(height, -leaf.level);
-    const double slack = 1e-9 * std::ldexp(std::min(width, height), -leaf.level);
-    int level = 0;
-    for (const Wish& w : wishes) {
-      const bool meets = w.x0 < x1 - slack && w.x1 > x0 + slack && w.y0 < y1 - slack && w.y1 > y0 + slack;
-      if (meets) level = std::max(level, w.level);
-    }
-    return level;
-  };
-  return forest->adapt(wanted);
+  return forest->adapt([&](const Leaf& leaf) { return wished_level(wishes, leaf, settings.grid, settings.block); });
 }
 
 bool Solver::Impl::adapt() {
@@ -65,7 +42,7 @@ bool Solver::Impl::adapt() {
   refresh();
   sync();
   fill_all_ghosts();
-  std::vector<Wish> all = wishes();
+  std::vector<Wish> all = wishes_of(settings.refinement.boxes);
   wish_by_state(all);
   if (!grow(all)) return false;
   become(forest->leaves());

@@ -18,14 +18,11 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
   solver_ = dynamic_cast<Solver*>(model_.get());
   planes_ = dynamic_cast<PlanesModel*>(model_.get());
   planes_obstacle_ = couloir::planes_obstacle(scene);
-  const Grid& grid = model_->grid();
 
-  bed_.assign(std::size_t(grid.nx) * grid.ny, 0.0);
-  if (!bed.elevation.empty()) bed_ = bed.elevation;
+  lay_bed(bed, solver_ ? solver_settings(scene).refinement.levels() : 0);
   for (std::size_t n = 0; n < scene.obstacles.size(); ++n) {
-    const ObstacleSpec& o = scene.obstacles[n];
-    lay_top(o, int(n), bed);
-    gauge_.push_back(add_gauge(o));
+    tops_.push_back(top_of(scene.obstacles[n], int(n), bed));
+    gauge_.push_back(add_gauge(scene.obstacles[n]));
     impulse_.push_back({0, 0});
   }
 
@@ -37,11 +34,15 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
                      ": the release lies between the centres of the cells, so that the mesh does not see it; use smaller cells");
   }
   if (wanted > 0 && sampled > 0 && scene.release.kind != ReleaseSpec::Kind::uniform) {
-    const double scale = wanted / sampled;
-    model_->set([&](double x, double y) {
-      FlowState q = release_at(scene, x, y);
-      return FlowState{scale * q.h, scale * q.hu, scale * q.hv};
-    });
+    double scale = 1;
+    // Again where another depth has made another mesh.
+    for (int n = 0; n == 0 || (n < 5 && std::abs(model_->volume() - wanted) > 1e-12 * wanted); ++n) {
+      scale *= wanted / model_->volume();
+      model_->set([&](double x, double y) {
+        FlowState q = release_at(scene, x, y);
+        return FlowState{scale * q.h, scale * q.hu, scale * q.hv};
+      });
+    }
   }
   model_->gather(h_, hu_, hv_);
   least_climbing_ = std::max(1e-6, 0.01 * *std::ranges::max_element(h_));
@@ -49,24 +50,52 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
   momentum_before_ = momentum();
 }
 
-// The top of a step is its footprint; that of a smooth body are its highest cells: a plateau, or the cells around a peak.
-void FlowSide::lay_top(const ObstacleSpec& o, int id, const StepBed& bed) {
-  const Grid& grid = model_->grid();
-  const auto at = [&](int i, int j) { return std::size_t(j) * grid.nx + i; };
-  const bool smooth = o.method == ObstacleSpec::Method::elevation;
-  double highest = 0;
-  for (std::size_t c = 0; smooth && c < bed.owner.size(); ++c) {
-    if (bed.owner[c] == id) highest = std::max(highest, bed.elevation[c]);
+// As the solver's own cells of the coarsest grid have it: an elevation at their centres, or where blocks may be refined the mean
+// of what it is at the centres of the finest; a step stands in the cells whose centres it covers.
+void FlowSide::lay_bed(const StepBed& bed, int levels) {
+  const Grid &grid = model_->grid(), finest = grid.refined(levels);
+  bed_.assign(std::size_t(grid.nx) * grid.ny, 0.0);
+  if (!bed.elevation.empty()) bed_ = bed.elevation;
+  const int n = 1 << levels;
+  for (const StepObstacle& o : bed.obstacles) {
+    if (levels == 0 || o.height > 0) continue;
+    const CellBox box = centres_in(grid, o.x0 - grid.dx, o.x1 + grid.dx, o.y0 - grid.dy, o.y1 + grid.dy);
+    for (int j = std::max(box.j0, 0); j < std::min(box.j1, grid.ny); ++j)
+      for (int i = std::max(box.i0, 0); i < std::min(box.i1, grid.nx); ++i) {
+        double sum = 0;
+        for (int c = 0; c < n * n; ++c) sum += bed.height(finest.x(i * n + c % n), finest.y(j * n + c / n));
+        bed_[std::size_t(j) * grid.nx + i] = sum / (n * n);
+      }
   }
-  std::vector<Cell> top;
   for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
-      const double x = grid.x(i), y = grid.y(j);
-      const bool step = !smooth && bed.obstacles[id].covers(x, y);
-      if (step) bed_[at(i, j)] += o.height;
-      if (step || (smooth && bed.owner[at(i, j)] == id && bed.elevation[at(i, j)] >= 0.99 * highest)) top.push_back({i, j});
-    }
-  top_.push_back(std::move(top));
+    for (int i = 0; i < grid.nx; ++i)
+      for (const StepObstacle& o : bed.obstacles)
+        if (o.height > 0 && o.covers(grid.x(i), grid.y(j))) bed_[std::size_t(j) * grid.nx + i] += o.height;
+}
+
+// The top of a step is its footprint; that of a smooth body are its highest cells: a plateau, or the cells around a peak.
+FlowSide::Top FlowSide::top_of(const ObstacleSpec& o, int id, const StepBed& bed) {
+  Top top{o.x, o.x + o.length, o.y - o.width / 2, o.y + o.width / 2, {}};
+  if (o.method == ObstacleSpec::Method::elevation) {
+    top.height = [height = bed.height, owner = bed.owner_at, id](double x, double y) {
+      return owner(x, y) == id ? height(x, y) : 0.0;
+    };
+  } else {
+    top.height = [step = bed.obstacles[id]](double x, double y) { return step.covers(x, y) ? step.height : 0.0; };
+  }
+  return top;
+}
+
+double FlowSide::depth_on(const Top& top) const {
+  std::vector<std::pair<double, double>> cells;  // height of the body, depth on it
+  double highest = 0, depth = 0;
+  model_->for_finest(top.x0, top.x1, top.y0, top.y1, [&](const FlowModel::Sample& s) {
+    const double height = top.height(s.x, s.y);
+    if (height > 0) cells.push_back({height, s.q.h}), highest = std::max(highest, height);
+  });
+  for (const auto& [height, h] : cells)
+    if (height >= 0.99 * highest) depth = std::max(depth, h);
+  return depth;
 }
 
 // Across the obstacle at its crest: the x-face nearest to it (downstream of two), the rows of its width there.
@@ -101,6 +130,8 @@ void FlowSide::report(WindowReport& w) {
   // Inflow sides and all others apart: what goes out downstream is no smaller inflow.
   inflow_mass_ += density_ * b.mass_inflow;
   boundary_mass_ += density_ * (b.mass_boundary - b.mass_inflow);
+  copied_mass_ += density_ * b.mass_copied;
+  w.mass.copied += copied_mass_;
   w.mass.initial += initial_mass_;
   w.mass.continuum = density_ * model_->volume();
   w.mass.left_domain += std::max(0.0, -boundary_mass_) + std::max(0.0, -inflow_mass_);
@@ -110,6 +141,7 @@ void FlowSide::report(WindowReport& w) {
   w.momentum.boundary += density_ * b.boundary[0];
   w.momentum.obstacles += density_ * b.obstacles[0];
   w.momentum.faces += density_ * b.zone[0];
+  w.momentum.copied += density_ * b.copied[0];
   const double now = momentum();
   w.momentum.storage += now - momentum_before_;
   momentum_before_ = now;
@@ -126,7 +158,7 @@ ObstacleForce FlowSide::force(int id, double window) {
   const auto impulse = model_->obstacle_impulse(id);
   for (int q = 0; q < 2; ++q) out.force[q] = density_ * (impulse[q] - impulse_[id][q]) / window;
   impulse_[id] = impulse;
-  for (const Cell& c : top_[id]) out.depth_on_top = std::max(out.depth_on_top, model_->at(c.i, c.j).h);
+  out.depth_on_top = depth_on(tops_[id]);
   if (id == planes_obstacle_) {
     out.overflow = overtopped(id);
     out.heap = planes_->heap();

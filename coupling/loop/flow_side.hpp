@@ -1,6 +1,7 @@
 #pragma once
 // The solver's share of a run: built from the scene, read into the ledgers.
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -40,7 +41,14 @@ class FlowSide {
   FrameView frame();
 
  private:
-  void lay_top(const ObstacleSpec&, int id, const StepBed&);
+  // The top of an obstacle: where, in this rectangle [m], its body is highest.
+  struct Top {
+    double x0, x1, y0, y1;
+    std::function<double(double x, double y)> height;  // [m] 0 beside it
+  };
+  void lay_bed(const StepBed&, int levels);
+  static Top top_of(const ObstacleSpec&, int id, const StepBed&);
+  double depth_on(const Top&) const;  // [m] the greatest, in the finest cells
   int add_gauge(const ObstacleSpec&);
   void gather_planes();
 
@@ -54,13 +62,10 @@ class FlowSide {
   std::vector<double> bed_;
   std::vector<int> gauge_;                      // by obstacle
   std::vector<std::array<double, 2>> impulse_;  // by obstacle, at the last call
-  struct Cell {
-    int i, j;
-  };
-  std::vector<std::vector<Cell>> top_;  // by obstacle: the cells of its top
+  std::vector<Top> tops_;                       // by obstacle
   std::optional<ForceMeasures> measures_;
   std::vector<double> h_, hu_, hv_;
-  double initial_mass_ = 0, boundary_mass_ = 0, inflow_mass_ = 0, momentum_before_ = 0, cpu_ = 0;
+  double initial_mass_ = 0, boundary_mass_ = 0, inflow_mass_ = 0, copied_mass_ = 0, momentum_before_ = 0, cpu_ = 0;
 };
 
 }  // namespace couloir

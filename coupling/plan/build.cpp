@@ -7,6 +7,7 @@
 #include "coupling/engine/packing.hpp"
 #include "coupling/scene/depths.hpp"
 #include "coupling/scene/inflow.hpp"
+#include "coupling/scene/refine.hpp"
 
 namespace couloir {
 namespace {
@@ -51,6 +52,17 @@ Side side_of(const Scene& scene, const SideSpec& spec) {
   return side;
 }
 
+Refinement refinement_of(const Scene& scene) {
+  Refinement out;
+  for (const RefineSpec& r : scene.continuum.refine) {
+    const RefineRectangle b = within_domain(scene, refine_rectangle(scene, r));
+    out.boxes.push_back({b.x0, b.x1, b.y0, b.y1, r.levels, r.margin});
+  }
+  const AdaptSpec& a = scene.continuum.adapt;
+  out.adaptive = {a.levels, a.interval, a.front, a.gradient, a.obstacle, a.zone};
+  return out;
+}
+
 }  // namespace
 
 Grid grid_of(const Scene& scene) {
@@ -89,6 +101,8 @@ SolverSettings solver_settings(const Scene& scene) {
   std::ranges::transform(scene.sides, settings.sides.begin(), [&](const SideSpec& s) { return side_of(scene, s); });
   settings.cfl = scene.continuum.cfl;
   settings.dry_depth = dry_depth(scene);
+  settings.block = block_edge(scene);
+  settings.refinement = refinement_of(scene);
   return settings;
 }
 
@@ -100,12 +114,13 @@ StepBed step_bed(const Scene& scene) {
   }
   const Elevation smooth = elevation(scene);
   if (smooth.empty()) return bed;
+  bed.height = smooth;
+  bed.owner_at = [smooth](double x, double y) { return smooth.at(x, y) > 0 ? smooth.obstacle_at(x, y) : -1; };
   const Grid grid = grid_of(scene);
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
-      const double height = smooth.at(grid.x(i), grid.y(j));
-      bed.elevation.push_back(height);
-      bed.owner.push_back(height > 0 ? smooth.obstacle_at(grid.x(i), grid.y(j)) : -1);
+      bed.elevation.push_back(bed.height(grid.x(i), grid.y(j)));
+      bed.owner.push_back(bed.owner_at(grid.x(i), grid.y(j)));
     }
   }
   return bed;

@@ -16,7 +16,7 @@ Grid grid_of(const Scene&);
 SolverSettings solver_settings(const Scene&);
 // z_b(x, y) of the obstacles by method elevation, each by its number in the scene.
 Elevation elevation(const Scene&);
-// central_upwind: steps, and the elevation sampled at the cell centres of grid_of().
+// central_upwind: steps, and the elevation, as it is and sampled at the cell centres of grid_of().
 StepBed step_bed(const Scene&);
 NocBed noc_bed(const Scene&);  // noc: the elevation alone
 ReferenceSurface reference_surface(const Scene&);

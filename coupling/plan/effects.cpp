@@ -11,6 +11,7 @@
 #include "coupling/plan/flow_estimate.hpp"
 #include "coupling/plan/zone.hpp"
 #include "coupling/scene/inflow.hpp"
+#include "coupling/scene/refine.hpp"
 #include "coupling/scene/units.hpp"
 
 namespace couloir {
@@ -42,6 +43,33 @@ struct Listing {
     const int rows = grid_of(s).ny;
     if (rows == 1) return {"across_slope", false, "the domain is one row of cells: the 1D model (2.2), (2.11)"};
     return {"across_slope", true, fmt::format("the domain has {} rows of cells: the 2D model (2.87)-(2.92)", rows)};
+  }
+
+  Effect refinement() const {
+    const ContinuumSpec& c = s.continuum;
+    if (!continuum) return {"refinement", false, mode + ": there are no cells to refine"};
+    if (!c.refined()) return {"refinement", false, "all cells are of one size: neither continuum.refine nor continuum.adapt"};
+    const auto finest = [&](int levels) { return len(std::ldexp(grid_of(s).dx, -levels)); };
+    std::vector<std::string> parts;
+    for (const RefineSpec& r : c.refine) {
+      const RefineRectangle b = within_domain(s, refine_rectangle(s, r));
+      const std::string where = r.around.empty() ? "" : fmt::format("about {}, ", r.around);
+      parts.push_back(fmt::format("{}x {} to {}, y {} to {}: {} level{}, cells of {}", where, len(b.x0), len(b.x1), len(b.y0),
+                                  len(b.y1), r.levels, r.levels == 1 ? "" : "s", finest(r.levels)));
+    }
+    if (c.adapt.levels > 0) {
+      const AdaptSpec& a = c.adapt;
+      std::vector<std::string> signs;
+      if (a.front) signs.push_back("fronts");
+      if (a.gradient > 0) signs.push_back(fmt::format("changes of the surface above {:g} of the greatest depth", a.gradient));
+      if (a.obstacle > 0) signs.push_back(fmt::format("{} about obstacles", len(a.obstacle)));
+      if (a.zone && coupled) signs.push_back("the zone's rim");
+      const std::string asked = signs.empty() ? "no sign is on" : fmt::format("{}", fmt::join(signs, ", "));
+      parts.push_back(fmt::format("where the flow asks ({}): up to {} level{}, cells of {}", asked, a.levels,
+                                  a.levels == 1 ? "" : "s", finest(a.levels)));
+    }
+    const char* how = c.scheme == "noc" ? "nested grids, copied" : "blocks that share their fluxes";
+    return {"refinement", true, fmt::format("{}: {}", how, fmt::join(parts, "; "))};
   }
 
   Effect gravity_along_slope() const {
@@ -217,6 +245,7 @@ std::vector<Effect> effects_of(const Scene& scene) {
   const Listing list{scene};
   return {list.depth_averaged_flow(),
           list.across_slope(),
+          list.refinement(),
           list.gravity_along_slope(),
           list.earth_pressure(),
           list.basal_friction(),

@@ -11,7 +11,7 @@
 #include "coupling/plan/limits.hpp"
 #include "coupling/plan/release.hpp"
 #include "coupling/scene/inflow.hpp"
-#include "coupling/scene/release_shape.hpp"
+#include "coupling/scene/refine.hpp"
 #include "coupling/scene/units.hpp"
 
 namespace couloir {
@@ -42,13 +42,6 @@ double least_step(const Scene& scene, const Grid& grid) {
   }
   const double half_steps = scene.continuum.scheme == "noc" ? 2 : 1;  // a step of noc is a pair, each bound by the CFL number
   return half_steps * scene.continuum.cfl * std::min(grid.dx, grid.dy) / fastest;
-}
-
-// Share of the cells that hold material, averaged roughly: dry blocks cost nothing.
-double wet_share(const Scene& scene) {
-  if (scene.release.kind == ReleaseSpec::Kind::uniform || fed(scene)) return 1;
-  const Footprint f = release_footprint(scene);
-  return std::min(1.0, 6 * (f.x1 - f.x0) * (f.y1 - f.y0) / (scene.terrain.total_length() * scene.terrain.width));
 }
 
 // Counts beyond all bounds stay countable.
@@ -104,9 +97,10 @@ void warn_of_inflows(const Scene& scene, const auto& say) {
     const GreatestInflow q = greatest_inflow(scene, scene.sides[side]);
     const double froude = q.velocity / std::sqrt(scene.gravity * std::cos(scene.terrain.angle) * q.depth);
     if (froude < 1) {
-      say(fmt::format("The inflow {} is slower than its waves (Froude {:.2f}): depth times velocity enters as stated, at the depth "
-                      "of the flow inside.",
-                      names[side], froude));
+      say(fmt::format(
+          "The inflow {} is slower than its waves (Froude {:.2f}): depth times velocity enters as stated, at the depth "
+          "of the flow inside.",
+          names[side], froude));
     }
   }
 }
@@ -178,10 +172,15 @@ Plan make_plan(const Scene& scene) {
     plan.limiter = scene.continuum.limiter;
     plan.instruction_set = to_string(chosen_isa());
     plan.cells = static_cast<std::int64_t>(plan.grid.nx) * plan.grid.ny;
+    plan.levels = planned_levels(scene);
+    plan.followed_levels = scene.continuum.adapt.levels;
+    if (!plan.levels.empty()) plan.cells = 0;
+    for (const LevelCells& l : plan.levels) plan.cells += l.cells;
     plan.dt = least_step(scene, plan.grid);
     plan.steps = whole(scene.duration / plan.dt);
-    plan.memory += bytes_per_cell * static_cast<double>(plan.cells);
-    plan.time_continuum = 2.0 * static_cast<double>(plan.steps) * static_cast<double>(plan.cells) * wet_share(scene) /
+    plan.memory +=
+        bytes_per_cell * std::max(static_cast<double>(plan.cells), plan.followed_levels > 0 ? estimated_cells(scene) : 0);
+    plan.time_continuum = 2.0 * static_cast<double>(plan.steps) * cells_by_work(scene) /
                           (plan.scheme == "noc" ? noc_updates_per_second : cell_updates_per_second);
   }
 

@@ -11,6 +11,7 @@
 #include "continuum/solver.hpp"
 #include "coupling/plan/effect.hpp"
 #include "coupling/plan/flow_estimate.hpp"
+#include "coupling/plan/refined_mesh.hpp"
 #include "coupling/plan/zone.hpp"
 #include "coupling/scene/scene.hpp"
 
@@ -24,13 +25,15 @@ struct Plan {
   Grid grid;                                    // nx = 0 in mode grains
   std::string scheme, limiter;                  // empty in mode grains
   std::string instruction_set;                  // of this machine's kernels; likewise
-  std::int64_t cells = 0;
-  double dt = 0;                         // [s] least continuum step expected
-  std::int64_t steps = 0;                // at that step
-  FlowEstimate at_obstacle;              // flow expected at the first obstacle; without one at the terrain's end
-  std::optional<PlannedZone> zone;       // mode coupled
-  std::array<std::int64_t, 3> grains{};  // greatest number expected at once, by Mode; 0 where the scene has no diameter
-  double engine_dt = 0;                  // [s] 0: no engine
+  std::int64_t cells = 0;                       // of all levels
+  std::vector<LevelCells> levels;               // empty: cells of one size
+  int followed_levels = 0;                      // how often cells may be halved where the mesh follows the flow
+  double dt = 0;                                // [s] least continuum step expected
+  std::int64_t steps = 0;                       // at that step
+  FlowEstimate at_obstacle;                     // flow expected at the first obstacle; without one at the terrain's end
+  std::optional<PlannedZone> zone;              // mode coupled
+  std::array<std::int64_t, 3> grains{};         // greatest number expected at once, by Mode; 0 where the scene has no diameter
+  double engine_dt = 0;                         // [s] 0: no engine
   std::int64_t engine_steps = 0;
   double memory = 0;                           // [bytes]
   double time_continuum = 0, time_engine = 0;  // [s] of one core at the speeds that plan.cpp states

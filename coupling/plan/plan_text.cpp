@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "coupling/plan/plan.hpp"
 #include "coupling/scene/units.hpp"
 
@@ -18,6 +20,20 @@ std::string seconds(double value) {
   return fmt::format("{:.1f} h", value / 3600);
 }
 
+// One line for each size of cells.
+std::string levels_text(const Plan& plan) {
+  std::string out;
+  const char* what = plan.scheme == "noc" ? "grid" : "block";
+  for (const LevelCells& l : plan.levels) {
+    out += fmt::format("           level {}: {} cells of {}, {} {}{}\n", l.level, l.cells, len(l.cell), l.blocks, what,
+                       l.blocks == 1 ? "" : "s");
+  }
+  if (plan.followed_levels > 0) {
+    out += fmt::format("           more where the flow asks, down to {}\n", len(std::ldexp(plan.grid.dx, -plan.followed_levels)));
+  }
+  return out;
+}
+
 nlohmann::json json_of(const ZoneBox& box) {
   return {{"x", {box.x0, box.x1}}, {"y", {box.y0, box.y1}}};
 }
@@ -31,6 +47,7 @@ std::string plan_text(const Plan& plan) {
   out += fmt::format("release    {:.4g} kg, {:.4g} L\n", plan.release_mass, plan.release_volume * 1e3);
   if (plan.cells > 0) {
     out += fmt::format("mesh       {} x {} cells of {} x {}\n", plan.grid.nx, plan.grid.ny, len(plan.grid.dx), len(plan.grid.dy));
+    out += levels_text(plan);
     out += fmt::format("scheme     {}, limiter {}; instructions {}\n", plan.scheme, plan.limiter, plan.instruction_set);
     out += fmt::format("steps      about {} of {:.2g} ms\n", plan.steps, plan.dt * 1e3);
   }
@@ -65,6 +82,10 @@ nlohmann::json plan_json(const Plan& plan) {
                        {"cells", plan.cells},   {"nx", plan.grid.nx},      {"ny", plan.grid.ny},
                        {"dx", plan.grid.dx},    {"dy", plan.grid.dy},      {"dt", plan.dt},
                        {"steps", plan.steps}};
+  json["continuum"]["levels"] = nlohmann::json::array();
+  for (const LevelCells& l : plan.levels) {
+    json["continuum"]["levels"].push_back({{"level", l.level}, {"cell", l.cell}, {"blocks", l.blocks}, {"cells", l.cells}});
+  }
   if (plan.zone) {
     json["zone"] = json_of(plan.zone->box);
     json["zone"]["reason"] = plan.zone->reason;

@@ -14,6 +14,12 @@
 namespace couloir {
 namespace {
 
+std::string keys_of(const std::string& mapping) {
+  std::vector<std::string> names;
+  for (const Key* key : children(mapping)) names.push_back(key->name());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 // What a key wants to be given, for messages: "a length in m, mm, cm, km", "one of wall, outflow".
 std::string wanted(const Key& key) {
   const auto units = units_of(key.dimension);
@@ -33,12 +39,12 @@ std::string wanted(const Key& key) {
       return fmt::format("one of {}", fmt::join(key.choices, ", "));
     case ValueKind::mapping:
     case ValueKind::named:
+    case ValueKind::list:
       break;
   }
-  std::vector<std::string> names;
-  for (const Key* child : children(key.path)) names.push_back(child->name());
-  const std::string form = key.kind == ValueKind::named ? "a mapping from names to mappings"
-                                                        : fmt::format("a mapping with {}", fmt::join(names, ", "));
+  const std::string form = key.kind == ValueKind::named  ? "a mapping from names to mappings"
+                           : key.kind == ValueKind::list ? "a list of mappings, each with " + keys_of(key.path + ".*")
+                                                         : "a mapping with " + keys_of(key.path);
   return key.choices.empty() ? form : fmt::format("one of {}, or {}", fmt::join(key.choices, ", "), form);
 }
 
@@ -121,6 +127,9 @@ class Binder {
         break;
       case ValueKind::named:
         named(node, key, full);
+        break;
+      case ValueKind::list:
+        list(node, key, full);
         break;
     }
   }
@@ -243,6 +252,23 @@ class Binder {
       key.append(scene_, name);
       scene_.places.note(path, entry.place);
       mapping(entry, key.path + ".*", path, static_cast<int>(key.names(scene_).size()) - 1);
+    }
+  }
+
+  void list(const Node& node, const Key& key, const std::string& full) {
+    if (node.kind != Node::Kind::list && node.kind != Node::Kind::nothing) {
+      const char* brackets = node.kind == Node::Kind::mapping ? "; put it in brackets: [{...}]" : "";
+      fail(node, full, fmt::format("is {}, but must be {}{}", describe(node), wanted(key), brackets));
+    }
+    for (std::size_t n = 0; n < node.items.size(); ++n) {
+      const Node& item = node.items[n];
+      const std::string path = fmt::format("{}[{}]", full, n);
+      if (item.kind != Node::Kind::mapping) {
+        fail(item, path, fmt::format("is {}, but must be a mapping with {}", describe(item), keys_of(key.path + ".*")));
+      }
+      key.append(scene_, "");
+      scene_.places.note(path, item.place);
+      mapping(item, key.path + ".*", path, static_cast<int>(n));
     }
   }
 

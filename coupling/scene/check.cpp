@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/scene/check_mesh.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/release_shape.hpp"
 #include "coupling/scene/scene_error.hpp"
@@ -13,7 +14,6 @@
 namespace couloir {
 namespace {
 
-constexpr double most_cells = 2e7;
 // Grain diameters that an explicit zone must leave: before an obstacle, beside and behind it, and before its own upstream face,
 // where the driven layer lies.
 constexpr double zone_before = 5, zone_around = 2, driven_layer = 3;
@@ -169,7 +169,8 @@ struct Checker {
     const double gaps[] = {o.x, length() - x1, y0 + width() / 2, width() / 2 - y1};
     for (int side = 0; side < 4; ++side) {
       if (scene.sides[side].kind == SideSpec::Kind::inflow && gaps[side] < 0.5 * scene.continuum.cell)
-        fail(key, "stands on a side through which material comes in, which would come in on top of it; move it by a cell at least");
+        fail(key,
+             "stands on a side through which material comes in, which would come in on top of it; move it by a cell at least");
     }
     if (o.shape == ObstacleSpec::Shape::tetrahedron) {
       if (o.method == ObstacleSpec::Method::step) {
@@ -262,24 +263,6 @@ struct Checker {
         fail("obstacles." + o.name + ".method",
              "is planes, which scheme noc does not have; use continuum.scheme: central_upwind");
       }
-    }
-  }
-
-  void mesh() const {
-    if (!continuum()) return;
-    const double cell = scene.continuum.cell;
-    if (cell == 0) {
-      fail("continuum.cell", "is missing: mode {} needs the edge of a cell, a length such as 5 mm", to_string(scene.mode));
-    }
-    const double across = scene.continuum.across();
-    if (cell > length() / 4 || across > width()) {
-      fail("continuum.cell", "is {}, too large for a domain of {} by {}: it needs 4 cells along the slope and 1 across",
-           len(cell), len(length()), len(width()));
-    }
-    const double cells = length() / cell * width() / across;
-    if (cells > most_cells) {
-      fail("continuum.cell", "is {}, which makes {:.3g} million cells, more than the {:.3g} million allowed; use at least {}",
-           len(cell), cells * 1e-6, most_cells * 1e-6, len(std::sqrt(length() * width() / most_cells)));
     }
   }
 
@@ -398,8 +381,9 @@ void check_scene(const Scene& scene) {
   check.release();
   check.scheme();
   check.curvature();
-  check.mesh();
+  check_mesh(scene);
   check.obstacles();
+  check_refinement(scene);
   check.gauges();
   check.diameter();
   check.zone();

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <sstream>
 
@@ -53,6 +54,18 @@ void expand_material(Node& material, const std::string& folder) {
   mark_si(material);
 }
 
+// Cuts "[2]" off the end of a word; -1: there is none.
+int cut_number(std::string& word) {
+  const auto bracket = word.find('[');
+  if (bracket == 0 || bracket == std::string::npos || word.back() != ']') return -1;
+  int number = -1;
+  const char *first = word.data() + bracket + 1, *last = word.data() + word.size() - 1;
+  const auto [end, error] = std::from_chars(first, last, number);
+  if (error != std::errc() || end != last || number < 0) return -1;
+  word.resize(bracket);
+  return number;
+}
+
 // Puts `text` where the dotted key leads; the binder judges the result like the rest of the file.
 void apply_override(Node& document, const std::string& key, const std::string& text, const std::string& materials) {
   const std::string place = "--set " + key;
@@ -67,9 +80,18 @@ void apply_override(Node& document, const std::string& key, const std::string& t
       throw SceneError(fmt::format("{0}: {1} is {2}, not a mapping; set it whole: --set {1}={{{3}: ...}}", place, path,
                                    describe(*node), word));
     }
+    const int number = cut_number(word);
     node = &node->entry(word);
     if (node->place.empty()) node->place = place;
     path += (path.empty() ? "" : ".") + word;
+    if (number < 0) continue;
+    const int items = static_cast<int>(node->items.size());
+    if (number >= items) {
+      throw SceneError(
+          fmt::format("{}: {} has {} entries, counted from 0; set it whole: --set '{}=[...]'", place, path, items, path));
+    }
+    node = &node->items[number];
+    path += fmt::format("[{}]", number);
   }
   if (path.empty() || key.back() == '.')
     throw SceneError(fmt::format("{}: the key has an empty part; write it like grains.seed", place));

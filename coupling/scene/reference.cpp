@@ -30,6 +30,8 @@ std::string kind_of(const Key& key) {
       return key.choices.empty() ? "mapping" : "choice or mapping";
     case ValueKind::named:
       return "mapping by name";
+    case ValueKind::list:
+      return "list of mappings";
   }
   return "?";
 }
@@ -42,6 +44,7 @@ std::string default_of(const Key& key) {
   Scene blank;
   blank.obstacles.emplace_back();
   blank.record.gauges.emplace_back();
+  blank.continuum.refine.emplace_back();
   const Value value = key.get(blank, 0);
   if (const auto* number = std::get_if<double>(&value)) return short_quantity(*number, key.dimension);
   if (const auto* number = std::get_if<long>(&value)) return fmt::format("{}", *number);
@@ -61,7 +64,8 @@ Generated from coupling/scene/schema.cpp. Do not edit.
 
 Values are SI unless they carry a unit: `80 mm`, `40 deg`, `1639 kg/m3`, `20 ms`, `5 MPa`. An angle always needs its unit.
 With `scales: {length: 33.33 mm}` bare numbers are multiples of the scales (2.47). `--set key=value` overrides a key: `--set grains.seed=7`.
-`*` stands for a name of your choice. What is said in brackets after a help text tells where a key belongs.
+`*` stands for a name of your choice, in a list of mappings for its entries: `--set 'continuum.refine=[{around: wall, levels: 2}]'`,
+`--set 'continuum.refine[0].levels=3'`. What is said in brackets after a help text tells where a key belongs.
 )";
 
 }  // namespace

@@ -90,6 +90,26 @@ struct SideSpec {
   double gate = 0;                    // [m] silo: opening
 };
 
+// Finer cells in a rectangle: about an obstacle's base, or between given edges.
+struct RefineSpec {
+  std::string around;                                 // name of an obstacle; empty: x, y
+  double up = 0, down = 0, left = 0, right = 0;       // [m] beyond its base: up and down the slope, to low and to high y
+  enum class From { base, front } from = From::base;  // what `down` counts from: the base's downstream edge or its front edge
+  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;              // [m] without an obstacle
+  int levels = 1;                                     // how often the cells are halved
+  double margin = 0;                                  // [m] by which each parent is larger than its child; 0: automatic
+};
+
+// Finer cells where the flow asks for them.
+struct AdaptSpec {
+  int levels = 0;         // how often the cells may be halved; 0: never
+  int interval = 8;       // steps of the coarsest cells between two looks
+  bool front = true;      // where wet cells meet dry ones
+  double gradient = 0.1;  // change of the surface from cell to cell over the greatest depth; 0: never
+  double obstacle = 0;    // [m] about obstacles; 0: never
+  bool zone = true;       // along the rim of the zone
+};
+
 struct ContinuumSpec {
   std::string scheme = "central_upwind";  // | noc
   double cell = 0;                        // [m]
@@ -99,6 +119,10 @@ struct ContinuumSpec {
   std::string closure = "active_passive";  // | hydraulic
   std::string limiter = "minmod";          // | van_leer | mc | superbee | eno
   std::string curvature = "automatic";     // | on | off
+  int block = 0;                           // cells along a block's edge; 0: automatic
+  std::vector<RefineSpec> refine;
+  AdaptSpec adapt;
+  bool refined() const { return !refine.empty() || adapt.levels > 0; }
 };
 
 struct ZoneBox {

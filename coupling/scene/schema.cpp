@@ -258,30 +258,6 @@ void add_boundaries(Keys& k) {
   }
 }
 
-void add_continuum(Keys& k) {
-  k.add(mapping("continuum", "the depth-averaged solver"));
-  k.add(word("continuum.scheme", "central_upwind, or noc: the staggered scheme (3.2)-(3.23), mode continuum only",
-             {"central_upwind", "noc"}, COULOIR_AT(continuum.scheme)));
-  k.add(number("continuum.cell", length, "edge of a cell; adjusted so that the domain holds a whole number",
-               COULOIR_AT(continuum.cell))
-            .above(0)
-            .optional());
-  k.add(number("continuum.cell_across", length, "its length across the slope, where it differs from the one along it",
-               COULOIR_AT(continuum.cell_across))
-            .above(0)
-            .optional());
-  k.add(number("continuum.cfl", none, "Courant number; at 0.5 ends the positivity of central_upwind, and the bound (3.22) of noc",
-               COULOIR_AT(continuum.cfl))
-            .above(0)
-            .upto(0.5));
-  k.add(word("continuum.closure", "earth pressure: (2.83)-(2.86), or K = 1", {"active_passive", "hydraulic"},
-             COULOIR_AT(continuum.closure)));
-  k.add(word("continuum.limiter", "of the reconstruction; eno with scheme noc only",
-             {"minmod", "van_leer", "mc", "superbee", "eno"}, COULOIR_AT(continuum.limiter)));
-  k.add(word("continuum.curvature", "the term kappa u^2 in the friction; automatic: where the surface has an arc",
-             {"automatic", "on", "off"}, COULOIR_AT(continuum.curvature)));
-}
-
 void add_grains(Keys& k) {
   k.add(mapping("grains", "the discrete-element engine; needed in the modes coupled and grains"));
   k.add(word("grains.engine", "which engine", {"liggghts"}, COULOIR_AT(grains.engine)));

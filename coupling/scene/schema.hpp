@@ -22,6 +22,7 @@ enum class ValueKind {
   choice,   // one of `choices`
   mapping,  // further keys; or, if `choices` are given, one of these words instead
   named,    // a mapping from names that the user chooses to mappings; "*" in paths
+  list,     // a list of mappings; "*" in paths, [0], [1], ... in messages
 };
 
 using Value = std::variant<double, long, std::string, std::vector<double>>;  // a table: row by row
@@ -54,12 +55,12 @@ struct Key {
   bool written = true;                // by write_scene
   bool scaled = true;                 // bare numbers are multiples of the scene's scales, where it has some
 
-  // `index` counts the entries of a named mapping (obstacles, gauges); 0 elsewhere. A mapping's value is the word given instead
-  // of it, or empty. No accessors: the reader's own (scales).
+  // `index` counts the entries of a named mapping or a list (obstacles, gauges); 0 elsewhere. A mapping's value is the word given
+  // instead of it, or empty. No accessors: the reader's own (scales).
   std::function<Value(const Scene&, int index)> get;
   std::function<void(Scene&, int index, const Value&)> set;
   std::function<void(Scene&, int index)> enter;  // when a mapping is opened
-  // A named mapping: its names, and a new entry of this name.
+  // A named mapping: its names, and a new entry of this name. A list: as many empty names.
   std::function<std::vector<std::string>(const Scene&)> names;
   std::function<void(Scene&, const std::string& name)> append;
 

@@ -62,6 +62,7 @@ class KeyBuilder {
   Key key_;
 };
 
+// The keys in the order in which they are read.
 class Keys {
  public:
   void add(const KeyBuilder& builder) { keys_.push_back(builder.build()); }
@@ -85,6 +86,15 @@ KeyBuilder named(const std::string& path, const std::string& help, At at) {
     return names;
   };
   builder.key().append = [at](Scene& s, const std::string& name) { at(s).emplace_back().name = name; };
+  return builder;
+}
+
+// `at(scene)` gives a reference to the vector of entries.
+template <class At>
+KeyBuilder list(const std::string& path, const std::string& help, At at) {
+  KeyBuilder builder(path, ValueKind::list, help);
+  builder.key().names = [at](const Scene& s) { return std::vector<std::string>(at(s).size()); };
+  builder.key().append = [at](Scene& s, const std::string&) { at(s).emplace_back(); };
   return builder;
 }
 
@@ -161,5 +171,7 @@ KeyBuilder choice(const std::string& path, const std::string& help, const std::v
   };
   return builder;
 }
+
+void add_continuum(Keys&);  // schema_continuum.cpp
 
 }  // namespace couloir::schema_builder

@@ -49,6 +49,13 @@ std::string written(const Key& key, const Value& value) {
   return key.kind == ValueKind::text || text == "on" || text == "off" ? quoted(text) : text;
 }
 
+// What an optional key holds where it was not given.
+bool is_nothing(const Value& value) {
+  if (const auto* list = std::get_if<std::vector<double>>(&value))
+    return std::ranges::all_of(*list, [](double x) { return x == 0; });
+  return value == Value(0.0) || value == Value(0L) || value == Value("");
+}
+
 bool belongs(const Scene& scene, const Key& key, int index) {
   if (key.selector.empty()) return true;
   const Key& selector = schema_key(key.parent() + "." + key.selector);
@@ -69,13 +76,25 @@ void write_mapping(std::string& out, const Scene& scene, const std::string& patt
       }
       continue;
     }
+    if (key->kind == ValueKind::list) {
+      const std::size_t entries = key->names(scene).size();
+      if (entries == 0) continue;
+      out += fmt::format("{}{}:\n", indent, key->name());
+      for (std::size_t n = 0; n < entries; ++n) {
+        std::string entry;
+        write_mapping(entry, scene, key->path + ".*", static_cast<int>(n), depth + 2);
+        entry[indent.size() + 2] = '-';
+        out += entry;
+      }
+      continue;
+    }
     const Value value = key->get ? key->get(scene, index) : Value("");
     if (key->kind == ValueKind::mapping && std::get<std::string>(value).empty()) {
       out += fmt::format("{}{}:\n", indent, key->name());
       write_mapping(out, scene, key->path, index, depth + 1);
       continue;
     }
-    if (key->presence == Presence::optional && value == Value(0.0)) continue;
+    if (key->presence == Presence::optional && is_nothing(value)) continue;
     out += fmt::format("{}{}: {}\n", indent, key->name(), written(*key, value));
   }
 }

@@ -149,7 +149,8 @@ TEST_F(Reader, NamesTheNearestKey) {
 TEST_F(Reader, ListsTheKeysIfNoneIsNear) {
   EXPECT_EQ(
       error(replaced(good_scene, "  cell:", "  colour: red\n  cell:")),
-      "scene.yaml:9: continuum.colour is unknown; continuum takes scheme, cell, cell_across, cfl, closure, limiter, curvature");
+      "scene.yaml:9: continuum.colour is unknown; continuum takes scheme, cell, cell_across, cfl, closure, limiter, curvature, "
+      "block, refine, adapt");
 }
 
 TEST_F(Reader, SaysWhatIsMissing) {

@@ -20,7 +20,9 @@ const std::string bare_scene =
     "release: {kind: cap, centre: [0.4, 0.02], base_radius: 0.3, height: 0.1, velocity: 0.5}\n"
     "obstacles:\n"
     "  wall: {position: [1.2, 0.02], size: [0.05, 0.1, 0.08]}\n"
-    "continuum: {cell: 0.01, cell_across: 0.02}\n"
+    "continuum: {cell: 0.01, cell_across: 0.02, adapt: {levels: 1, obstacle: 0.02}, refine: [{around: wall, up: 0.03, down: "
+    "0.04, "
+    "left: 0.05, right: 0.06, margin: 0.01}]}\n"
     "grains: {diameter: 0.005, timestep: 1e-5, timeout: 100, zone: {x: [1, 1.5], y: [-0.3, 0.25]}}\n"
     "record: {frames: 0.25, forces: 0.125, gauges: {one: {position: [1.1, 0.03], size: [0.02, 0.04]}}}\n"
     "duration: 1.5\n";
@@ -66,6 +68,7 @@ TEST_F(SceneScales, EveryBareQuantityIsScaled) {
   compare({{"terrain", "{kind: incline, angle: 35 deg, length: 3, width: 0.8}"}});
   compare({{"release", "{kind: ellipsoid, centre: [0.4, 0.02], semi_axes: [0.3, 0.2, 0.1], mass: 0.01}"}, {"mode", "continuum"}});
   compare({{"release", "{kind: block, position: [0.1, 0.01], length: 0.3, width: 0.2, height: 0.1}"}});
+  compare({{"continuum.refine", "[{x: [0.5, 0.75], y: [-0.1, 0.2]}]"}});
   compare({{"obstacles.wall.method", "elevation"}, {"obstacles.wall.ramp", "0.02"}});
   for (const char* side : {"upstream", "downstream", "left", "right"}) {
     const std::string inflow = std::string("boundaries.") + side + ".inflow";

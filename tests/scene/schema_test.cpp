@@ -31,6 +31,7 @@ TEST(Schema, SetsWhatItGets) {
     Scene scene;
     scene.obstacles.emplace_back();
     scene.record.gauges.emplace_back();
+    scene.continuum.refine.emplace_back();
     for (SideSpec& side : scene.sides) side.hydrograph.emplace_back();
     scene.grains.zone.emplace();
     Value value = key.get(scene, 0);
@@ -51,6 +52,7 @@ TEST(Schema, DefaultsAreWithinBounds) {
     Scene scene;
     scene.obstacles.emplace_back();
     scene.record.gauges.emplace_back();
+    scene.continuum.refine.emplace_back();
     if (key.path.starts_with("grains.zone.")) continue;
     const Value value = key.get(scene, 0);
     if (const auto* x = std::get_if<double>(&value)) {

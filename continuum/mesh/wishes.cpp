@@ -1,0 +1,52 @@
+#include "continuum/mesh/wishes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace couloir {
+
+std::vector<Wish> wishes_of(const std::vector<RefineBox>& boxes) {
+  std::vector<Wish> all;
+  for (const RefineBox& b : boxes) {
+    for (int level = 1; level <= b.levels; ++level) {
+      const double more = b.margin * (b.levels - level);
+      all.push_back({b.x0 - more, b.x1 + more, b.y0 - more, b.y1 + more, level});
+    }
+  }
+  return all;
+}
+
+int wished_level(const std::vector<Wish>& wishes, const Leaf& leaf, const Grid& grid, int edge) {
+  const double width = edge * grid.dx, height = edge * grid.dy;
+  const double x0 = grid.x0 + std::ldexp(leaf.bi * width, -leaf.level), x1 = x0 + std::ldexp(width, -leaf.level);
+  const double y0 = grid.y0 + std::ldexp(leaf.bj * height, -leaf.level), y1 = y0 + std::ldexp(height, -leaf.level);
+  const double slack = 1e-9 * std::ldexp(std::min(width, height), -leaf.level);
+  int level = 0;
+  for (const Wish& w : wishes) {
+    const bool meets = w.x0 < x1 - slack && w.x1 > x0 + slack && w.y0 < y1 - slack && w.y1 > y0 + slack;
+    if (meets) level = std::max(level, w.level);
+  }
+  return level;
+}
+
+std::vector<LevelCount> count_levels(const Grid& grid, int edge, bool periodic_x, bool periodic_y,
+                                     const std::vector<RefineBox>& boxes) {
+  Refinement refinement;
+  refinement.boxes = boxes;
+  const int levels = refinement.levels();
+  Forest forest((grid.nx + edge - 1) / edge, (grid.ny + edge - 1) / edge, periodic_x, periodic_y, levels);
+  const std::vector<Wish> wishes = wishes_of(boxes);
+  while (forest.adapt([&](const Leaf& leaf) { return wished_level(wishes, leaf, grid, edge); })) {
+  }
+  std::vector<LevelCount> count(levels + 1);
+  for (const Leaf& leaf : forest.leaves()) {
+    const Grid fine = grid.refined(leaf.level);
+    const int nx = std::min(edge, fine.nx - leaf.bi * edge), ny = std::min(edge, fine.ny - leaf.bj * edge);
+    if (nx <= 0 || ny <= 0) continue;
+    ++count[leaf.level].blocks;
+    count[leaf.level].cells += std::int64_t{nx} * ny;
+  }
+  return count;
+}
+
+}  // namespace couloir
