@@ -10,6 +10,7 @@
 #include "app/verbs.hpp"
 #include "continuum/errors.hpp"
 #include "continuum/isa/isa.hpp"
+#include "continuum/mesh/ranks.hpp"
 #include "coupling/engine/engine_error.hpp"
 #include "coupling/loop/interrupted.hpp"
 #include "coupling/records/record_error.hpp"
@@ -19,6 +20,8 @@ namespace {
 
 int fail(int code, const char* kind, const std::exception& error) {
   std::fprintf(stderr, "couloir: %s: %s\n", kind, error.what());
+  std::fflush(stderr);
+  couloir::Ranks::end_all(code);
   return code;
 }
 

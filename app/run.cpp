@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -21,6 +22,7 @@
 #include "coupling/records/summary.hpp"
 #include "coupling/records/xdmf.hpp"
 #include "coupling/scene/reader.hpp"
+#include "coupling/scene/scene_error.hpp"
 
 namespace couloir {
 namespace {
@@ -35,7 +37,7 @@ void on_signal(int signal) {
 struct RunVerb {
   SceneOptions scene;
   std::string out;
-  int threads = 1;
+  int threads = 1, ranks = 1;
   bool json = false, no_report = false;
 };
 
@@ -48,25 +50,54 @@ void print_result(const RunFolder& folder, const nlohmann::json& summary, const 
   if (!page.empty()) fmt::print("report: {}\n", page);
 }
 
+Ranks ranks_for(const RunVerb& verb, const Scene& scene) {
+  if (verb.ranks == 1) return {};
+  const Ranks ranks = Ranks::of_program();
+  if (!ranks.first()) std::freopen("/dev/null", "w", stderr);  // what goes wrong is told once
+  if (ranks.count() != verb.ranks) {
+    throw SceneError(fmt::format("--ranks {}: the program runs on {} rank{}; start it as ./couloir run, which calls mpirun",
+                                 verb.ranks, ranks.count(), ranks.count() == 1 ? "" : "s"));
+  }
+  const bool planes =
+      std::ranges::any_of(scene.obstacles, [](const auto& o) { return o.method == ObstacleSpec::Method::planes; });
+  if (scene.mode != Mode::continuum || scene.continuum.scheme != "central_upwind" || planes) {
+    throw SceneError(
+        fmt::format("--ranks {}: several ranks share the continuum of scheme central_upwind, without planes, in mode "
+                    "continuum; use --threads here{}",
+                    verb.ranks, scene.mode == Mode::continuum ? "" : ", and grains.ranks for the engine"));
+  }
+  return ranks;
+}
+
+// True as soon as one of the ranks has been told to stop.
+bool told_to_stop(const Ranks& ranks) {
+  std::vector<char> told{static_cast<char>(interrupted != 0)};
+  ranks.any(told);
+  return told[0] != 0;
+}
+
 int run(const RunVerb& verb) {
   const Scene scene = verb.scene.read();
+  const Ranks ranks = ranks_for(verb, scene);
   check_memory(scene, make_plan(scene));
   const std::string text = write_scene(scene);
-  const RunFolder folder = RunFolder::create(scene, verb.out, text);
-  const std::string work = folder.file("engine");
-  std::filesystem::create_directories(work);
-
   RunOptions options;
   options.threads = verb.threads;
-  options.work_dir = work;
-  options.worker = default_worker_path();
-  options.packings = packings_folder();
+  options.ranks = ranks;
   interrupted = 0;
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   std::signal(SIGHUP, on_signal);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is then a write error, with its sentence
-  options.interrupted = [] { return interrupted != 0; };
+  options.interrupted = [ranks] { return told_to_stop(ranks); };
+  if (!ranks.first()) return run_scene(scene, options, {}).status == "done" ? 0 : 3;
+
+  const RunFolder folder = RunFolder::create(scene, verb.out, text);
+  const std::string work = folder.file("engine");
+  std::filesystem::create_directories(work);
+  options.work_dir = work;
+  options.worker = default_worker_path();
+  options.packings = packings_folder();
 
   ConsoleSettings screen;
   screen.terminal = isatty(fileno(stderr));
@@ -113,6 +144,8 @@ void add_run(CLI::App& app, int& exit_code) {
   options->scene.declare(*verb);
   verb->add_option("--out", options->out, "the run's folder; default: runs/<scene>-<mode>");
   verb->add_option("--threads", options->threads, "of the solver; any number gives the same bits")->check(CLI::Range(1, 256));
+  verb->add_option("--ranks", options->ranks, "MPI processes that share the continuum; any number gives the same bits")
+      ->check(CLI::Range(1, 1024));
   verb->add_flag("--no-report", options->no_report, "leave out the pictures (couloir report draws them later)");
   verb->add_flag("--json", options->json, "print the summary alone, machine-readable");
   verb->callback([options, &exit_code] { exit_code = run(*options); });

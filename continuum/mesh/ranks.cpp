@@ -1,6 +1,7 @@
 #include "continuum/mesh/ranks.hpp"
 
 #include <mpi.h>
+#include <unistd.h>
 
 #include "continuum/mesh/mpi_session.hpp"
 
@@ -17,6 +18,22 @@ Ranks Ranks::of_program() {
 void Ranks::greatest(std::vector<double>& values) const {
   if (alone()) return;
   MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+}
+
+double Ranks::total(double own) const {
+  double sum = own;
+  if (!alone()) MPI_Allreduce(&own, &sum, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  return sum;
+}
+
+// The first has the word: the others leave it the time to say it.
+void Ranks::end_all(int exit_code) {
+  int begun = 0;
+  MPI_Initialized(&begun);
+  const Ranks r = begun ? of_program() : Ranks();
+  if (r.alone()) return;
+  if (!r.first()) sleep(2);
+  MPI_Abort(MPI_COMM_WORLD, exit_code);
 }
 
 void Ranks::any(std::vector<char>& flags) const {

@@ -11,16 +11,20 @@ class Ranks {
   Ranks() = default;  // this process alone; MPI is not begun
   // Those of the program; as many as mpirun was told.
   static Ranks of_program();
+  // Ends all of the program with this exit code, whatever the others do; returns where there is only one.
+  static void end_all(int exit_code);
 
   int count() const { return count_; }
   int mine() const { return mine_; }
   bool alone() const { return count_ == 1; }
+  bool first() const { return mine_ == 0; }
 
   // All ranks must call these together, with vectors of the same length on all.
   void greatest(std::vector<double>&) const;  // each entry: the greatest of all ranks
   void any(std::vector<char>&) const;         // each entry: the bits that some rank has set
   // What each rank tells each other one, by rank; `in` has the right sizes already.
   void exchange(const std::vector<std::vector<double>>& out, std::vector<std::vector<double>>& in) const;
+  double total(double) const;  // the sum over all ranks
   // What all ranks have, one after the other.
   std::vector<std::uint8_t> gather(const std::vector<std::uint8_t>&) const;
 

@@ -22,7 +22,7 @@ class ContinuumRun : public ModeRun {
 
  private:
   RunStart start() override {
-    flow_ = std::make_unique<FlowSide>(scene_, surface_, options_.threads);
+    flow_ = std::make_unique<FlowSide>(scene_, surface_, options_.threads, options_.ranks);
     clock_ = std::make_unique<Clock>(Clock::of_intervals(scene_.record.forces, scene_.duration));
     RunStart begin;
     begin.scene = &scene_;
@@ -51,8 +51,12 @@ class ContinuumRun : public ModeRun {
   }
 
   FrameView frame() override { return flow_->frame(); }
-  void save() override { save_bytes(options_.work_dir, "continuum.state", flow_->model().checkpoint()); }
-  void finish(RunEnd&) override {
+  void save() override {
+    const std::vector<std::uint8_t> state = flow_->model().checkpoint();
+    if (options_.ranks.first()) save_bytes(options_.work_dir, "continuum.state", state);
+  }
+  void finish(RunEnd& end) override {
+    if (end.status == "done") cpu_continuum_ = options_.ranks.total(cpu_continuum_);
     if (overflow_seen_) tell(last_time_, "warning: in all, " + overflow_sentence());
   }
 

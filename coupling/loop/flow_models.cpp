@@ -16,9 +16,11 @@ int planes_obstacle(const Scene& scene) {
   return -1;
 }
 
-std::unique_ptr<FlowModel> flow_model(const Scene& scene, const ReferenceSurface& surface, const StepBed& bed, int threads) {
+std::unique_ptr<FlowModel> flow_model(const Scene& scene, const ReferenceSurface& surface, const StepBed& bed, int threads,
+                                      const Ranks& ranks) {
   SolverSettings settings = solver_settings(scene);
   settings.threads = threads;
+  settings.ranks = ranks;
   const int planes = planes_obstacle(scene);
   if (planes >= 0) return std::make_unique<PlanesModel>(settings, surface, bed, planes, scene.obstacles[planes].eta);
   if (scene.continuum.scheme == "noc") {

@@ -13,6 +13,6 @@ namespace couloir {
 // The obstacle that is made of planes in this scene's continuum; -1: none.
 int planes_obstacle(const Scene&);
 
-std::unique_ptr<FlowModel> flow_model(const Scene&, const ReferenceSurface&, const StepBed&, int threads);
+std::unique_ptr<FlowModel> flow_model(const Scene&, const ReferenceSurface&, const StepBed&, int threads, const Ranks& = {});
 
 }  // namespace couloir

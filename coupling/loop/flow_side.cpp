@@ -12,9 +12,10 @@
 
 namespace couloir {
 
-FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int threads) : density_(scene.material.density) {
+FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int threads, const Ranks& ranks)
+    : density_(scene.material.density) {
   const StepBed bed = step_bed(scene);
-  model_ = flow_model(scene, surface, bed, threads);
+  model_ = flow_model(scene, surface, bed, threads, ranks);
   solver_ = dynamic_cast<Solver*>(model_.get());
   planes_ = dynamic_cast<PlanesModel*>(model_.get());
   planes_obstacle_ = couloir::planes_obstacle(scene);

@@ -16,7 +16,7 @@ class PlanesModel;
 
 class FlowSide {
  public:
-  FlowSide(const Scene&, const ReferenceSurface&, int threads);
+  FlowSide(const Scene&, const ReferenceSurface&, int threads, const Ranks& = {});
 
   FlowModel& model() { return *model_; }
   Solver& solver() { return *solver_; }  // of the coupled mode, whose scenes are central upwind

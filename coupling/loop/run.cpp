@@ -42,10 +42,12 @@ void ModeRun::tell(const Event& event) {
 
 void ModeRun::end(RunEnd& end, double wall_start, double cpu_start) {
   finish(end);
+  const bool together = end.status == "done";  // else some rank may be gone
   end.wall = wall_now() - wall_start;
   end.cpu_continuum = cpu_continuum_;
   end.cpu_engine = cpu_engine_;
-  end.cpu_coupling = cpu_now() - cpu_start - cpu_continuum_;
+  const double cpu = cpu_now() - cpu_start;
+  end.cpu_coupling = (together ? options_.ranks.total(cpu) : cpu) - cpu_continuum_;
   end.cpu = cpu_continuum_ + cpu_engine_ + end.cpu_coupling;
   for (Observer* o : observers_) o->on_finish(end);
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "continuum/mesh/ranks.hpp"
 #include "coupling/engine/grain_engine.hpp"
 #include "coupling/loop/observer.hpp"
 #include "coupling/scene/scene.hpp"
@@ -18,6 +19,7 @@ namespace couloir {
 
 struct RunOptions {
   int threads = 1;
+  Ranks ranks{};  // that share the continuum; mode continuum only. All run the same; only the first has observers and a work_dir
   std::string work_dir;  // of the engine and for checkpoints; must exist
   std::string worker;    // path of the engine's worker
   std::string packings;  // folder in which settled packings are kept

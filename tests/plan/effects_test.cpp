@@ -156,7 +156,7 @@ TEST(Effects, OfEveryExperiment) {
     return names;
   };
   const std::map<std::string, Names> expected{
-      {"chiou_cuboid_grid", with(chute, {"steps_of_the_bed"})},
+      {"chiou_refinement", with(chute, {"steps_of_the_bed"})},
       {"chiou_vestolen", with(chute, {"steps_of_the_bed"})},
       {"chiou_wall", with(with(chute, grains), {"solid_bodies"})},
       {"cuboid_force", with(chute, {"steps_of_the_bed"})},
@@ -166,7 +166,7 @@ TEST(Effects, OfEveryExperiment) {
                                   "periodic_sides"})},
       {"silo_wedge", with(chute, {"elevation", "inflow"})},
       {"wedge_force", with(chute, {"elevation"})},
-      {"wedge_grid", with(chute, {"elevation"})}};
+      {"wedge_critical_height", with(chute, {"elevation"})}};
   for (const auto& folder : std::filesystem::directory_iterator(COULOIR_SOURCE_DIR "/experiments")) {
     const std::string name = folder.path().filename().string();
     if (!std::filesystem::exists(folder.path() / "scene.yaml")) continue;
