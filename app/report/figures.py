@@ -123,7 +123,7 @@ def mesh_view(run, path):
         image = draw_depth(a, run, frame, top, box)
         draw_mesh(a, run, frame)
         cells = int(np.sum(frame.places[:, 3] * frame.places[:, 4]))
-        a.set_title(f"t = {frame.time:.3f} s: {len(frame.places)} blocks of {cells} cells")
+        a.set_title(f"t = {frame.time:.3f} s: {len(frame.places)} blocks, {cells} cells")
     style.colour_bar(figure, axes, image, "depth along the normal [mm]")
     return style.save(figure, path)
 
