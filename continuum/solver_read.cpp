@@ -28,7 +28,8 @@ std::optional<FlowState> Solver::Impl::state_at(int level, int i, int j) const {
 }
 
 void Solver::for_finest(double x0, double x1, double y0, double y1, const std::function<void(const Sample&)>& f) const {
-  if (!impl_->forest) return FlowModel::for_finest(x0, x1, y0, y1, f);
+  if (impl_->settings.refinement.empty()) return FlowModel::for_finest(x0, x1, y0, y1, f);
+  impl_->sync();
   for (std::size_t k = 0; k < impl_->states.size(); ++k) {
     const Block& b = impl_->mesh.blocks()[k];
     const Fields& q = impl_->states[k].now;
@@ -47,6 +48,7 @@ void Solver::for_finest(double x0, double x1, double y0, double y1, const std::f
 // On the finest grid on which the four cells about the point are there, themselves or as means of finer ones.
 FlowState Solver::interpolated(double x, double y) const {
   const Impl& m = *impl_;
+  impl_->sync();
   const Grid& base = grid();
   const auto cell = [](double at, double origin, double size, int n) {
     return std::clamp(static_cast<int>(std::floor((at - origin) / size)), 0, n - 1);

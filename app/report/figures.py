@@ -3,7 +3,7 @@
 from functools import cache
 
 import numpy as np
-from matplotlib.collections import EllipseCollection
+from matplotlib.collections import EllipseCollection, LineCollection
 from matplotlib.patches import Rectangle
 
 import style
@@ -51,7 +51,7 @@ def draw_obstacles_from_above(axes, run):
 
 def draw_depth(axes, run, frame, top, box):
     """Depth from above with the outline of the flow, of the obstacles and of the zone; returns the image."""
-    x, y, h = run.depth(frame)
+    x, y, h = run.finest_depth(frame, box)
     dx, dy = x[1] - x[0], (y[1] - y[0]) if len(y) > 1 else x[1] - x[0]
     wet = wet_depth(run)
     image = axes.imshow(np.ma.masked_less(h, wet) * MM, origin="lower", cmap=style.DEPTH, vmin=0, vmax=top * MM, aspect="equal",
@@ -72,7 +72,7 @@ def draw_depth(axes, run, frame, top, box):
 def panels(count, box):
     """A figure with `count` maps of the box's proportions: in three columns where they are tall, in one where they are wide."""
     ratio = max(box[3] - box[2], 0.06 * (box[1] - box[0])) / (box[1] - box[0])
-    columns = 1 if ratio < 0.15 else 2 if ratio < 0.8 else 3
+    columns = min(count, 1 if ratio < 0.15 else 2 if ratio < 0.8 else 3)
     figure, axes = style.map_grid(-(-count // columns), columns, ratio)
     for spare in axes.flat[count:]:
         spare.set_visible(False)
@@ -90,6 +90,40 @@ def top_view(run, path, count=6):
     for a, frame in zip(axes.flat, frames):
         image = draw_depth(a, run, frame, top, box)
         a.set_title(f"t = {frame.time:.3f} s")
+    style.colour_bar(figure, axes, image, "depth along the normal [mm]")
+    return style.save(figure, path)
+
+
+def same_mesh(frames):
+    return all(np.array_equal(frame.places, frames[0].places) for frame in frames)
+
+
+def draw_mesh(axes, run, frame):
+    """The outlines of all blocks, of the coarsest ones in grey."""
+    x, y, _ = run.grid
+    dx = x[1] - x[0]
+    dy = y[1] - y[0] if len(y) > 1 else dx
+    for level in np.unique(frame.places[:, 0]):
+        _, i0, j0, nx, ny = frame.places[frame.places[:, 0] == level].T
+        a, b = x[0] + (np.array([i0, i0 + nx]) / 2.0**level - 0.5) * dx
+        c, d = y[0] + (np.array([j0, j0 + ny]) / 2.0**level - 0.5) * dy
+        outlines = np.stack([np.stack(corner, axis=-1) for corner in ((a, c), (b, c), (b, d), (a, d), (a, c))], axis=1)
+        axes.add_collection(LineCollection(outlines * MM, colors=style.INK if level else style.GREY, linewidths=0.5, zorder=3))
+
+
+def mesh_view(run, path):
+    """The mesh over the flow: once where it stays, else at four instants."""
+    frames = [frame for frame in run.frames if len(frame.places)] if run.has_flow else []
+    if not frames:
+        return None
+    shown = frames[len(frames) // 2:][:1] if same_mesh(frames) else pick(frames, 5)[1:]
+    box, top = extent(run, shown), deepest(run)
+    figure, axes = panels(len(shown), box)
+    for a, frame in zip(axes.flat, shown):
+        image = draw_depth(a, run, frame, top, box)
+        draw_mesh(a, run, frame)
+        cells = int(np.sum(frame.places[:, 3] * frame.places[:, 4]))
+        a.set_title(f"t = {frame.time:.3f} s: {len(frame.places)} blocks, {cells} cells")
     style.colour_bar(figure, axes, image, "depth along the normal [mm]")
     return style.save(figure, path)
 

@@ -24,6 +24,22 @@ class Frame:
     def flow(self, name="h"):
         return self.group[name][()] if name in self.group else None
 
+    @cached_property
+    def places(self):
+        """The blocks of a refined mesh: rows of level, i0, j0, nx, ny; none where all cells are of one size."""
+        if "blocks" not in self.group:
+            return np.empty((0, 5), dtype=int)
+        return np.column_stack([self.group[f"blocks/{name}"][()] for name in ("level", "i0", "j0", "nx", "ny")])
+
+    def blocks(self, name="h"):
+        """(level, i0, j0, values [y, x]) of each block, coarser ones first; (i0, j0) counts cells of its level."""
+        if not len(self.places):
+            return
+        values, first = self.group[f"blocks/{name}"][()], np.concatenate([[0], np.cumsum(self.places[:, 3] * self.places[:, 4])])
+        for k in np.argsort(self.places[:, 0], kind="stable"):
+            level, i0, j0, nx, ny = self.places[k]
+            yield level, i0, j0, values[first[k]:first[k + 1]].reshape(ny, nx)
+
     @property
     def zone(self):
         """(x from, x to, y from, y to) [m] that the grains hold, or None."""
@@ -143,6 +159,37 @@ class Run:
             volume = np.zeros((len(y), len(x))) if grains is None else spread(grains, x, y, cell)
             self._depths[frame.time] = volume * density / cell**2
         return x, y, self._depths[frame.time]
+
+    def finest_depth(self, frame, box, most=1800):
+        """(x, y, h) of a frame in the box (x from, to, y from, to): on the finest cells that are there, or as fine as gives at
+        most `most` of them in a row. A coarser cell fills all that it covers, a finer one counts by its mean."""
+        x, y, h = self.depth(frame)
+        if not self.has_flow or not len(frame.places):
+            return x, y, h
+        dx = x[1] - x[0]
+        dy = y[1] - y[0] if len(y) > 1 else dx
+        i0, i1 = np.searchsorted(x + dx / 2, box[0]), min(np.searchsorted(x - dx / 2, box[1]), len(x))
+        j0, j1 = np.searchsorted(y + dy / 2, box[2]), min(np.searchsorted(y - dy / 2, box[3]), len(y))
+        finest = int(frame.places[:, 0].max())
+        while finest > 0 and max(i1 - i0, j1 - j0) << finest > most:
+            finest -= 1
+        parts = 1 << finest
+        fine = np.kron(h[j0:j1, i0:i1], np.ones((parts, parts)))
+        for level, bi, bj, values in frame.blocks():
+            if level <= finest:
+                more = 1 << (finest - level)
+                values = np.kron(values, np.ones((more, more)))
+            else:
+                more = 1 << (level - finest)
+                values = values.reshape(values.shape[0] // more, more, -1, more).mean(axis=(1, 3))
+            left = int(np.ldexp(bi, finest - level)) - i0 * parts
+            low = int(np.ldexp(bj, finest - level)) - j0 * parts
+            a, b = max(left, 0), min(left + values.shape[1], fine.shape[1])
+            c, d = max(low, 0), min(low + values.shape[0], fine.shape[0])
+            if a < b and c < d:
+                fine[c:d, a:b] = values[c - low:d - low, a - left:b - left]
+        fx, fy = dx / parts, dy / parts
+        return (x[i0] - dx / 2 + fx * (np.arange(fine.shape[1]) + 0.5), y[j0] - dy / 2 + fy * (np.arange(fine.shape[0]) + 0.5), fine)
 
     @cached_property
     def _coarse_cells(self):

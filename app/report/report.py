@@ -24,7 +24,7 @@ GROUPS = [
               ("left the domain", "kg", "mass.left_domain"), ("went over the obstacles", "kg", "mass.overtopped"),
               ("largest error over the released", "", "mass.relative_error"),
               ("largest momentum residual over the largest momentum", "", "momentum.relative_residual")]),
-    ("Continuum", [("cells", "", "continuum.cells"), ("steps", "", "continuum.steps"),
+    ("Continuum", [("cells at the end", "", "continuum.cells"), ("steps", "", "continuum.steps"),
                    ("least depth before clipping", "m", "continuum.min_depth"),
                    ("cell updates a second", "1/s", "continuum.cell_updates_per_second")]),
     ("Grains", [("inserted", "", "grains.inserted"), ("returned to the continuum", "", "grains.returned"),
@@ -95,6 +95,8 @@ def report_one(run, out):
     body += section("From above", picture(figures.top_view(run, out / "top.png"),
                                           "Depth of the flow with its outline; hatched: obstacles; dashed: the zone that the "
                                           "grains hold, where a thin flow shows as single grains."))
+    body += section("The mesh over the flow", picture(figures.mesh_view(run, out / "mesh.png"),
+                                                      "Outlines of the blocks: each has as many cells, at each level half as long."))
     body += section("From the side", picture(figures.side_view(run, out / "side.png"),
                                              "Section through the middle of the obstacle: grains within two diameters of it, "
                                              "coloured by speed; line: surface of the flow, in the zone the mean over a cell. "

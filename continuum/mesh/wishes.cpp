@@ -29,7 +29,7 @@ int wished_level(const std::vector<Wish>& wishes, const Leaf& leaf, const Grid& 
   return level;
 }
 
-std::vector<LevelCount> count_levels(const Grid& grid, int edge, bool periodic_x, bool periodic_y,
+std::vector<LevelCells> count_levels(const Grid& grid, int edge, bool periodic_x, bool periodic_y,
                                      const std::vector<RefineBox>& boxes) {
   Refinement refinement;
   refinement.boxes = boxes;
@@ -38,7 +38,8 @@ std::vector<LevelCount> count_levels(const Grid& grid, int edge, bool periodic_x
   const std::vector<Wish> wishes = wishes_of(boxes);
   while (forest.adapt([&](const Leaf& leaf) { return wished_level(wishes, leaf, grid, edge); })) {
   }
-  std::vector<LevelCount> count(levels + 1);
+  std::vector<LevelCells> count;
+  for (int level = 0; level <= levels; ++level) count.push_back({level, grid.refined(level).dx, 0, 0});
   for (const Leaf& leaf : forest.leaves()) {
     const Grid fine = grid.refined(leaf.level);
     const int nx = std::min(edge, fine.nx - leaf.bi * edge), ny = std::min(edge, fine.ny - leaf.bj * edge);

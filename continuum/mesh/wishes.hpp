@@ -1,10 +1,10 @@
 #pragma once
 // Rectangles in which cells are wanted finer, and what that means for a leaf of the forest.
 
-#include <cstdint>
 #include <vector>
 
 #include "continuum/mesh/forest.hpp"
+#include "continuum/mesh/level_cells.hpp"
 #include "continuum/mesh/refinement.hpp"
 
 namespace couloir {
@@ -21,10 +21,7 @@ std::vector<Wish> wishes_of(const std::vector<RefineBox>&);
 // The greatest level among the wishes that meet the leaf; a leaf of level 0 has edge x edge cells of the grid.
 int wished_level(const std::vector<Wish>&, const Leaf&, const Grid&, int edge);
 
-// How many cells of each size a mesh of whole blocks has once the boxes are refined: [level].
-struct LevelCount {
-  std::int64_t blocks = 0, cells = 0;
-};
-std::vector<LevelCount> count_levels(const Grid&, int edge, bool periodic_x, bool periodic_y, const std::vector<RefineBox>&);
+// The cells of a mesh of whole blocks once the boxes are refined, by level.
+std::vector<LevelCells> count_levels(const Grid&, int edge, bool periodic_x, bool periodic_y, const std::vector<RefineBox>&);
 
 }  // namespace couloir

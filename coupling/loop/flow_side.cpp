@@ -150,6 +150,7 @@ void FlowSide::report(WindowReport& w) {
   model_->reset_budget();
   w.solver_steps = model_->steps();
   w.cell_updates = model_->cell_updates();
+  w.levels = levels();
   w.min_depth = model_->min_depth();
   w.max_speed = std::max(w.max_speed, model_->max_speed());
 }
@@ -172,13 +173,39 @@ double FlowSide::overtopped(int id) const {
   return id == planes_obstacle_ ? density_ * planes_->overflow() : density_ * model_->gauge(gauge_[id]);
 }
 
+std::vector<LevelCells> FlowSide::levels() const {
+  std::vector<LevelCells> all;
+  for (const BlockPlace& b : model_->blocks()) {
+    while (static_cast<int>(all.size()) <= b.level) {
+      const int level = static_cast<int>(all.size());
+      all.push_back({level, model_->grid().refined(level).dx, 0, 0});
+    }
+    ++all[b.level].blocks;
+    all[b.level].cells += std::int64_t{b.nx} * b.ny;
+  }
+  return all;
+}
+
+void FlowSide::gather_blocks() {
+  blocks_ = {model_->blocks(), {}, {}, {}};
+  std::vector<double> h, hu, hv;
+  for (std::size_t k = 0; k < blocks_.places.size(); ++k) {
+    model_->gather_block(static_cast<int>(k), h, hu, hv);
+    blocks_.h.insert(blocks_.h.end(), h.begin(), h.end());
+    blocks_.hu.insert(blocks_.hu.end(), hu.begin(), hu.end());
+    blocks_.hv.insert(blocks_.hv.end(), hv.begin(), hv.end());
+  }
+}
+
 FrameView FlowSide::frame() {
   model_->gather(h_, hu_, hv_);
+  gather_blocks();
   FrameView view;
   view.h = &h_;
   view.hu = &hu_;
   view.hv = &hv_;
   if (solver_) view.zone = solver_->covered();
+  if (!blocks_.places.empty()) view.blocks = &blocks_;
   if (planes_) {
     gather_planes();
     view.planes = &plane_views_;

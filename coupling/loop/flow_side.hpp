@@ -50,6 +50,8 @@ class FlowSide {
   static Top top_of(const ObstacleSpec&, int id, const StepBed&);
   double depth_on(const Top&) const;  // [m] the greatest, in the finest cells
   int add_gauge(const ObstacleSpec&);
+  std::vector<LevelCells> levels() const;
+  void gather_blocks();
   void gather_planes();
 
   double density_;
@@ -59,6 +61,7 @@ class FlowSide {
   int planes_obstacle_ = -1;
   double least_climbing_ = 0;  // [m] thinner material does not count as having climbed
   std::vector<PlaneView> plane_views_;
+  BlocksView blocks_;
   std::vector<double> bed_;
   std::vector<int> gauge_;                      // by obstacle
   std::vector<std::array<double, 2>> impulse_;  // by obstacle, at the last call

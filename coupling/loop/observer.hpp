@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "continuum/mesh/level_cells.hpp"
 #include "continuum/solver.hpp"
 #include "coupling/engine/grain_engine.hpp"
 #include "coupling/plan/effect.hpp"
@@ -74,10 +75,11 @@ struct WindowReport {
   long grains = 0, inserted = 0, returned = 0;  // now; since the start
   std::int64_t engine_steps = 0;
   std::int64_t solver_steps = 0, cell_updates = 0;
-  double max_overlap = 0;  // [-]
-  double max_speed = 0;    // [m/s] of grains and flow
-  double min_depth = 0;    // [m]
-  double overtopped = 0;   // [kg] net over all obstacles since the start
+  std::vector<LevelCells> levels;  // at the window's end; empty: all cells are of one size
+  double max_overlap = 0;          // [-]
+  double max_speed = 0;            // [m/s] of grains and flow
+  double min_depth = 0;            // [m]
+  double overtopped = 0;           // [kg] net over all obstacles since the start
 };
 
 // The flow on one plane of an obstacle of method planes: h [m], momenta along the plane's axes [m2/s], [j * nx + i].
@@ -88,12 +90,20 @@ struct PlaneView {
   std::vector<double> h, ha, hb;
 };
 
+// Where cells are refined: the blocks, and what they hold, one after the other, each [j * nx + i]. Where blocks lie on one
+// another the finest counts.
+struct BlocksView {
+  std::vector<BlockPlace> places;
+  std::vector<double> h, hu, hv;  // [m], [m2/s]
+};
+
 struct FrameView {
   double time = 0;
   long index = 0;
   const std::vector<double>*h = nullptr, *hu = nullptr,
-        *hv = nullptr;                             // whole domain, coarse-grained in the zone; null in grains mode
+        *hv = nullptr;                             // coarsest cells, coarse-grained in the zone; null in grains mode
   CellBox zone;                                    // empty: no zone
+  const BlocksView* blocks = nullptr;              // null: all cells are of one size
   const std::vector<PlaneView>* planes = nullptr;  // null: none
   const Grains* grains = nullptr;                  // null: none; positions in the tilted frame
 };

@@ -12,9 +12,10 @@
 namespace couloir {
 namespace {
 
-std::vector<LevelCount> count_patches(const SolverSettings& s, bool periodic_x, bool periodic_y) {
-  std::vector<LevelCount> count(s.refinement.levels() + 1);
-  count[0] = {1, std::int64_t{s.grid.nx} * s.grid.ny};
+std::vector<LevelCells> count_patches(const SolverSettings& s, bool periodic_x, bool periodic_y) {
+  std::vector<LevelCells> count;
+  for (int level = 0; level <= s.refinement.levels(); ++level) count.push_back({level, s.grid.refined(level).dx, 0, 0});
+  count[0].blocks = 1, count[0].cells = std::int64_t{s.grid.nx} * s.grid.ny;
   for (const noc::PatchPlace& p : noc::lay_patches(s.grid, s.refinement, periodic_x, periodic_y, noc::rim_width(s.limiter) / 2)) {
     ++count[p.level].blocks;
     count[p.level].cells += 4 * std::int64_t{p.foot.i1 - p.foot.i0} * (p.foot.j1 - p.foot.j0);
@@ -25,16 +26,11 @@ std::vector<LevelCount> count_patches(const SolverSettings& s, bool periodic_x, 
 }  // namespace
 
 std::vector<LevelCells> planned_levels(const Scene& scene) {
-  std::vector<LevelCells> levels;
-  if (scene.mode == Mode::grains || !scene.continuum.refined()) return levels;
+  if (scene.mode == Mode::grains || !scene.continuum.refined()) return {};
   const SolverSettings s = solver_settings(scene);
   const bool periodic_x = s.sides[0].kind == Side::Kind::periodic, periodic_y = s.sides[2].kind == Side::Kind::periodic;
-  const auto counts = scene.continuum.scheme == "noc" ? count_patches(s, periodic_x, periodic_y)
-                                                      : count_levels(s.grid, s.block, periodic_x, periodic_y, s.refinement.boxes);
-  for (std::size_t l = 0; l < counts.size(); ++l) {
-    levels.push_back({static_cast<int>(l), std::ldexp(s.grid.dx, -static_cast<int>(l)), counts[l].blocks, counts[l].cells});
-  }
-  return levels;
+  return scene.continuum.scheme == "noc" ? count_patches(s, periodic_x, periodic_y)
+                                         : count_levels(s.grid, s.block, periodic_x, periodic_y, s.refinement.boxes);
 }
 
 double cells_by_work(const Scene& scene) {

@@ -66,9 +66,13 @@ std::string first_difference(const RecordsReader& a, const RecordsReader& b) {
   for (const long k : a.frames()) {
     const Frame p = a.frame(k), q = b.frame(k);
     const std::string at = fmt::format("frames/{:06d}/", k);
+    if (p.blocks.places != q.blocks.places) return at + "blocks: the refined cells are not in the same places";
     for (const auto& [name, x, y] : {std::tuple{"h", &p.h, &q.h},
                                      {"hu", &p.hu, &q.hu},
                                      {"hv", &p.hv, &q.hv},
+                                     {"blocks/h", &p.blocks.h, &q.blocks.h},
+                                     {"blocks/hu", &p.blocks.hu, &q.blocks.hu},
+                                     {"blocks/hv", &p.blocks.hv, &q.blocks.hv},
                                      {"grains/x", &p.grains.x, &q.grains.x},
                                      {"grains/vx", &p.grains.vx, &q.grains.vx}}) {
       const std::string text = difference(at + name, *x, *y);

@@ -40,7 +40,9 @@ void Console::on_start(const RunStart& start) {
 std::string Console::progress(const WindowReport& w) const {
   const double share = duration_ > 0 ? 100 * w.time / duration_ : 0;
   std::string line = fmt::format("t = {:.3f} s of {:.4g} s ({:.0f} %)", w.time, duration_, share);
-  if (cells_ > 0) line += fmt::format("  step {}  cells {}", w.solver_steps, cells_);
+  std::int64_t cells = w.levels.empty() ? cells_ : 0;
+  for (const LevelCells& l : w.levels) cells += l.cells;
+  if (cells > 0) line += fmt::format("  step {}  cells {}", w.solver_steps, cells);
   if (w.grains > 0) line += fmt::format("  grains {}", w.grains);
   if (rate_ > 0) {
     line += rate_ >= 0.1 ? fmt::format("  {:.2f} s/s", rate_) : fmt::format("  {:.1f} ms/s", 1e3 * rate_);

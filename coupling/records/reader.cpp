@@ -18,13 +18,31 @@ std::string frame_path(long index) {
   return fmt::format("frames/{:06d}", index);
 }
 
+void read_blocks(hid_t group, BlocksView& blocks) {
+  const auto column = [&](const char* name, int BlockPlace::*member) {
+    const std::vector<std::int64_t> all = h5::integers(group, name);
+    blocks.places.resize(all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) blocks.places[k].*member = static_cast<int>(all[k]);
+  };
+  column("level", &BlockPlace::level);
+  column("i0", &BlockPlace::i0);
+  column("j0", &BlockPlace::j0);
+  column("nx", &BlockPlace::nx);
+  column("ny", &BlockPlace::ny);
+  blocks.h = h5::numbers(group, "h");
+  blocks.hu = h5::numbers(group, "hu");
+  blocks.hv = h5::numbers(group, "hv");
+}
+
 }  // namespace
 
 bool Frame::operator==(const Frame& o) const {
   const Grains &a = grains, &b = o.grains;
   return std::memcmp(&time, &o.time, sizeof time) == 0 && same_bits(h, o.h) && same_bits(hu, o.hu) && same_bits(hv, o.hv) &&
-         same_bits(a.id, b.id) && same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z) && same_bits(a.vx, b.vx) &&
-         same_bits(a.vy, b.vy) && same_bits(a.vz, b.vz) && same_bits(a.radius, b.radius) && same_bits(a.driven, b.driven);
+         blocks.places == o.blocks.places && same_bits(blocks.h, o.blocks.h) && same_bits(blocks.hu, o.blocks.hu) &&
+         same_bits(blocks.hv, o.blocks.hv) && same_bits(a.id, b.id) && same_bits(a.x, b.x) && same_bits(a.y, b.y) &&
+         same_bits(a.z, b.z) && same_bits(a.vx, b.vx) && same_bits(a.vy, b.vy) && same_bits(a.vz, b.vz) &&
+         same_bits(a.radius, b.radius) && same_bits(a.driven, b.driven);
 }
 
 RecordsReader::RecordsReader(const std::string& path) : file_(h5::open_file(path, false)) {
@@ -75,6 +93,7 @@ Frame RecordsReader::frame(long index) const {
     out.hu = h5::numbers(group, "hu");
     out.hv = h5::numbers(group, "hv");
   }
+  if (h5::exists(group, "blocks")) read_blocks(h5::create_group(group, "blocks"), out.blocks);
   if (!h5::exists(group, "grains")) return out;
   const h5::Handle set = h5::create_group(group, "grains");
   Grains& g = out.grains;

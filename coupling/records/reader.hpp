@@ -12,6 +12,7 @@ namespace couloir {
 struct Frame {
   double time = 0;                      // [s]
   std::vector<double> h, hu, hv;        // [j * nx + i] [m], [m2/s]
+  BlocksView blocks;                    // empty: all cells are of one size
   Grains grains;                        // tilted frame
   bool operator==(const Frame&) const;  // bit for bit
 };

@@ -254,6 +254,7 @@ void Records::on_frame(const FrameView& view) {
     const h5::Handle frame = h5::create_group(frames_, fmt::format("{:06d}", view.index));
     h5::put(frame, "time", std::vector<double>{view.time}, {}, {"s", "simulated time"});
     if (view.h) write_flow(frame, view);
+    if (view.blocks) write_blocks(frame, *view.blocks);
     if (view.planes) write_planes(frame, *view.planes);
     if (view.grains) write_grains(frame, *view.grains);
     h5::flush(file_, path_);
@@ -262,7 +263,8 @@ void Records::on_frame(const FrameView& view) {
 
 void Records::write_flow(hid_t frame, const FrameView& view) {
   const hsize_t nx = grid_.nx, ny = grid_.ny;
-  h5::put(frame, "h", *view.h, {ny, nx}, {"m", "depth along the normal; coarse-grained from the grains in the zone"});
+  h5::put(frame, "h", *view.h, {ny, nx},
+          {"m", "depth along the normal; coarse-grained from the grains in the zone; refined cells: their mean"});
   h5::put(frame, "hu", *view.hu, {ny, nx}, {"m2/s", "depth times velocity along the slope"});
   h5::put(frame, "hv", *view.hv, {ny, nx}, {"m2/s", "depth times velocity across the slope"});
   h5::put(frame, "surface", level_free_surface(grid_, *surface_, bed_, *view.h), {ny, nx, 3},
@@ -275,6 +277,26 @@ void Records::write_flow(hid_t frame, const FrameView& view) {
           std::vector<double>{grid_.x0 + z.i0 * grid_.dx, grid_.x0 + z.i1 * grid_.dx, grid_.y0 + z.j0 * grid_.dy,
                               grid_.y0 + z.j1 * grid_.dy},
           {4}, {"m", "rectangle that the grains hold: x from, to; y from, to"});
+}
+
+void Records::write_blocks(hid_t frame, const BlocksView& blocks) {
+  const h5::Handle group = h5::create_group(frame, "blocks");
+  const auto column = [&](const char* name, int BlockPlace::*member, const std::string& what) {
+    std::vector<std::int64_t> all;
+    for (const BlockPlace& b : blocks.places) all.push_back(b.*member);
+    h5::put(group, name, all, {all.size()}, {"1", what});
+  };
+  const std::string first = "the block's first cell, counted on the grid of its level";
+  column("level", &BlockPlace::level, "how often the coarsest cells are halved in this block");
+  column("i0", &BlockPlace::i0, "along the slope: " + first);
+  column("j0", &BlockPlace::j0, "across the slope: " + first);
+  column("nx", &BlockPlace::nx, "cells of the block along the slope");
+  column("ny", &BlockPlace::ny, "cells of the block across the slope");
+  const std::string order = "; block after block, each [ny, nx]; where blocks lie on one another the finest counts";
+  const hsize_t n = blocks.h.size();
+  h5::put(group, "h", blocks.h, {n}, {"m", "depth along the normal" + order});
+  h5::put(group, "hu", blocks.hu, {n}, {"m2/s", "depth times velocity along the slope" + order});
+  h5::put(group, "hv", blocks.hv, {n}, {"m2/s", "depth times velocity across the slope" + order});
 }
 
 void Records::write_planes(hid_t frame, const std::vector<PlaneView>& planes) {

@@ -7,6 +7,7 @@
 //   /obstacles/<name>                   attributes: footprint and height
 //   /effects/{name,on,reason}
 //   /frames/<000000>/{time,h,hu,hv,surface,velocity,zone}
+//   /frames/<000000>/blocks/{level,i0,j0,nx,ny,h,hu,hv}                   where cells are refined: all blocks
 //   /frames/<000000>/planes/<front|back|left|right|top>/{a,b,h,ha,hb}     an obstacle of method planes
 //   /frames/<000000>/grains/{id,x,y,z,vx,vy,vz,radius,driven,position,velocity}
 //   /windows/{time,length,mass_*,momentum_*,grains,...}    one row a window
@@ -63,6 +64,7 @@ class Records : public Observer {
   void write_surface();
   void write_grid(const RunStart&);
   void write_flow(hid_t frame, const FrameView&);
+  void write_blocks(hid_t frame, const BlocksView&);
   void write_planes(hid_t frame, const std::vector<PlaneView>&);
   void write_grains(hid_t frame, const Grains&);
   void open_series(const RunStart&);

@@ -160,7 +160,14 @@ void Summary::on_finish(const RunEnd& end) {
                  {"left_domain", m.left_domain},   {"entered", m.entered},
                  {"overtopped", last_.overtopped}, {"relative_error", mass_error_}};
   out["momentum"] = {{"relative_residual", residual_}};
-  out["continuum"] = {{"cells", cells_},
+  std::int64_t cells = last_.levels.empty() ? cells_ : 0;
+  Json levels = Json::array();
+  for (const LevelCells& l : last_.levels) {
+    cells += l.cells;
+    levels.push_back({{"level", l.level}, {"cell", l.cell}, {"blocks", l.blocks}, {"cells", l.cells}});
+  }
+  out["continuum"] = {{"cells", cells},
+                      {"levels", levels},
                       {"steps", last_.solver_steps},
                       {"cell_updates", last_.cell_updates},
                       {"cell_updates_per_second", rate(double(last_.cell_updates), end.cpu_continuum, end.wall)},

@@ -66,6 +66,20 @@ TEST(ForceSeries, WithoutContactIsAllZeros) {
   EXPECT_EQ(series.figures().first_contact, -1);
 }
 
+TEST(Summary, CountsTheCellsOfARefinedMeshBySize) {
+  const TemporaryFolder folder;
+  SyntheticRun run(Mode::continuum);
+  run.refined = true;
+  record(run, folder / "a");
+  const auto json = nlohmann::json::parse(read_text(folder / "a/summary.json"))["continuum"];
+  EXPECT_EQ(json["cells"], 7500 + 1200 + 1600);
+  ASSERT_EQ(json["levels"].size(), 3u);
+  EXPECT_EQ(json["levels"][2]["level"], 2);
+  EXPECT_EQ(json["levels"][2]["cell"], 0.0025);
+  EXPECT_EQ(json["levels"][2]["blocks"], 1);
+  EXPECT_EQ(json["levels"][2]["cells"], 1600);
+}
+
 TEST(Summary, HoldsTheKeysOfTheContract) {
   const TemporaryFolder folder;
   const SyntheticRun run(Mode::coupled);
@@ -83,6 +97,7 @@ TEST(Summary, HoldsTheKeysOfTheContract) {
                           "/mass/relative_error",
                           "/momentum/relative_residual",
                           "/continuum/cells",
+                          "/continuum/levels",
                           "/continuum/steps",
                           "/continuum/cell_updates",
                           "/continuum/cell_updates_per_second",
@@ -117,6 +132,7 @@ TEST(Summary, HoldsTheKeysOfTheContract) {
   EXPECT_LT(json["mass"]["relative_error"], 1e-14);
   EXPECT_NEAR(json["mass"]["overtopped"], 0.05, 1e-12);
   EXPECT_EQ(json["continuum"]["cells"], 7500);
+  EXPECT_TRUE(json["continuum"]["levels"].empty());
   EXPECT_EQ(json["continuum"]["cell_updates_per_second"], 15000 * 400 / 5.0);
   EXPECT_EQ(json["grains"]["peak_count"], 10000);
   EXPECT_EQ(json["grains"]["particle_steps_per_second"], 2e6);

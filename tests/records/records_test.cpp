@@ -57,6 +57,53 @@ TEST(Records, ComeBackBitForBit) {
   EXPECT_NEAR(reader.grid().dy, 0.01, 1e-15);
 }
 
+SyntheticRun refined_run(double scale = 1) {
+  SyntheticRun run(Mode::continuum, scale);
+  run.refined = true;
+  return run;
+}
+
+TEST(Records, OfRefinedMeshesHoldTheBlocks) {
+  const TemporaryFolder folder;
+  const SyntheticRun run = refined_run();
+  record(run, folder / "a");
+  const RecordsReader reader(folder / "a/records.h5");
+  for (const long k : {0L, 7L}) {
+    const Frame frame = reader.frame(k);
+    const BlocksView blocks = run.blocks(frame.time);
+    EXPECT_EQ(frame.blocks.places, blocks.places);
+    EXPECT_EQ(frame.blocks.h, blocks.h);
+    EXPECT_EQ(frame.blocks.hu, blocks.hu);
+    EXPECT_EQ(frame.blocks.hv, blocks.hv);
+    EXPECT_EQ(frame.h, run.depth(frame.time)) << "the coarsest cells are where they always are";
+  }
+  EXPECT_NE(reader.frame(0).blocks.places, reader.frame(7).blocks.places);
+}
+
+TEST(Records, DifferencesOfBlocksAreSeen) {
+  const TemporaryFolder folder;
+  record(refined_run(), folder / "a");
+  record(refined_run(), folder / "b");
+  const auto changed = [&](const char* name) {
+    record(refined_run(), folder / name);
+    const h5::Handle file = h5::open_file(folder / (std::string(name) + "/records.h5"), true);
+    const h5::Handle set(H5Dopen2(file, (std::string("frames/000007/blocks/") + name).c_str(), H5P_DEFAULT), name);
+    std::vector<double> all(h5::numbers(file, std::string("frames/000007/blocks/") + name));
+    all.back() += 1;
+    h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), name);
+    h5::flush(file, name);
+  };
+  changed("hv"), changed("j0");
+  const RecordsReader a(folder / "a/records.h5"), b(folder / "b/records.h5"), hv(folder / "hv/records.h5"),
+      j0(folder / "j0/records.h5");
+  EXPECT_EQ(first_difference(a, b), "");
+  EXPECT_TRUE(a.frame(7) == b.frame(7));
+  EXPECT_EQ(first_difference(a, hv).substr(0, 38), "frames/000007/blocks/hv row 10299: 0.0");
+  EXPECT_FALSE(a.frame(7) == hv.frame(7));
+  EXPECT_EQ(first_difference(a, j0), "frames/000007/blocks: the refined cells are not in the same places");
+  EXPECT_FALSE(a.frame(7) == j0.frame(7));
+}
+
 TEST(Records, NameWhatMadeThem) {
   const TemporaryFolder folder;
   record(SyntheticRun(Mode::coupled), folder / "a");
@@ -82,7 +129,9 @@ herr_t find_silent(hid_t parent, const char* name, const H5O_info_t* info, void*
 
 TEST(Records, ExplainEveryDataset) {
   const TemporaryFolder folder;
-  record(SyntheticRun(Mode::coupled), folder / "a");
+  SyntheticRun run(Mode::coupled);
+  run.refined = true;
+  record(run, folder / "a");
   const h5::Handle file = h5::open_file(folder / "a/records.h5", false);
   std::pair<int, std::string> found{0, ""};
   H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, find_silent, &found, H5O_INFO_BASIC);

@@ -66,6 +66,46 @@ TEST_F(Report, OfOneRun) {
     expect_picture(folder / (std::string("a/report/") + name));
 }
 
+TEST_F(Report, OfARefinedMesh) {
+  SyntheticRun run(Mode::continuum);
+  run.refined = true;
+  record(run, folder / "a");
+  ASSERT_EQ(report(folder / "a"), 0);
+  EXPECT_THAT(read_text(folder / "a/report/index.html"), HasSubstr("The mesh over the flow"));
+  expect_picture(folder / "a/report/mesh.png");
+  expect_picture(folder / "a/report/top.png");
+  record(SyntheticRun(Mode::continuum), folder / "b");
+  ASSERT_EQ(report(folder / "b"), 0);
+  EXPECT_THAT(read_text(folder / "b/report/index.html"), Not(HasSubstr("The mesh over the flow")));
+  ASSERT_EQ(report((folder / "a") + " " + (folder / "b") + " --out " + (folder / "both")), 0);
+  expect_picture(folder / "both/depth.png");
+}
+
+// What the pictures draw: coarser cells under finer ones, in the box, no finer than asked.
+TEST_F(Report, DrawsTheFinestCells) {
+  SyntheticRun run(Mode::continuum);
+  run.refined = true;
+  record(run, folder / "a");
+  const std::string program = std::string(kPython) +
+                              " -c \"import sys; sys.path.insert(0, '" COULOIR_SOURCE_DIR
+                              "/app/report'); import numpy as np; from read import Run\n"
+                              "run = Run('" +
+                              (folder / "a") +
+                              "'); frame = run.frames[3]; blocks = list(frame.blocks())\n"
+                              "x, y, h = run.finest_depth(frame, (0.4, 0.7, -0.2, 0.2))\n"
+                              "assert abs(x[1] - x[0] - 0.0025) < 1e-12 and abs(y[1] - y[0] - 0.0025) < 1e-12\n"
+                              "at = lambda a, b: h[np.argmin(abs(y - b)), np.argmin(abs(x - a))]\n"
+                              "assert at(0.50125, -0.04875) == blocks[2][3][0, 0]\n"
+                              "assert at(0.4525, -0.0975) == blocks[1][3][0, 0], 'level 1'\n"
+                              "assert at(0.425, 0.105) == frame.flow('h')[35, 42], 'level 0'\n"
+                              "x, y, h = run.finest_depth(frame, (0.4, 0.7, -0.2, 0.2), most=100)\n"
+                              "assert abs(x[1] - x[0] - 0.005) < 1e-12\n"
+                              "assert abs(at(0.5025, -0.0475) - blocks[2][3][:2, :2].mean()) < 1e-15\n"
+                              "x, y, h = run.finest_depth(frame, (-1, 9, -9, 9))\n"
+                              "assert h.shape == (200, 600) and abs(x[0] - 0.00125) < 1e-9\"";
+  EXPECT_EQ(std::system(program.c_str()), 0);
+}
+
 TEST_F(Report, OfTheOtherModes) {
   record(SyntheticRun(Mode::continuum), folder / "flow");
   record(SyntheticRun(Mode::grains), folder / "grains");

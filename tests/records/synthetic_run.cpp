@@ -120,6 +120,7 @@ WindowReport SyntheticRun::window(long k) const {
   w.engine_steps = with_grains ? 40 * (k + 1) : 0;
   w.solver_steps = with_flow ? k + 1 : 0;
   w.cell_updates = 2 * 7500 * w.solver_steps;
+  if (refined) w.levels = {{0, 0.01, 1, 7500}, {1, 0.005, 1, 1200}, {2, 0.0025, 1, 1600}};
   w.max_overlap = with_grains ? 0.03 * share : 0;
   w.max_speed = speed(t);
   w.min_depth = -1e-18;
@@ -132,6 +133,20 @@ std::vector<double> SyntheticRun::depth(double time) const {
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) h.push_back(depth_at(grid.x(i), grid.y(j), time));
   return h;
+}
+
+BlocksView SyntheticRun::blocks(double time) const {
+  BlocksView out;
+  out.places = {{0, 0, 0, 150, 50}, {1, 90, 30, 30, 40}, {2, 200, time > 0.2 ? 90 : 80, 40, 40}};
+  for (const BlockPlace& b : out.places) {
+    const Grid g = grid.refined(b.level);
+    for (int j = b.j0; j < b.j0 + b.ny; ++j)
+      for (int i = b.i0; i < b.i0 + b.nx; ++i) {
+        const double h = depth_at(g.x(i), g.y(j), time);
+        out.h.push_back(h), out.hu.push_back(h * speed(time)), out.hv.push_back(0.01 * h);
+      }
+  }
+  return out;
 }
 
 Grains SyntheticRun::grains(double time) const {
@@ -175,6 +190,8 @@ void SyntheticRun::play(const std::vector<Observer*>& observers, double from, do
     view.time = time;
     view.index = index;
     if (scene.mode != Mode::grains) view.h = &h, view.hu = &hu, view.hv = &hv;
+    const BlocksView fine = refined ? blocks(time) : BlocksView();
+    if (refined) view.blocks = &fine;
     if (scene.mode == Mode::coupled) view.zone = {50, 70, 15, 35};
     if (scene.mode != Mode::continuum) view.grains = &g;
     tell([&](Observer& o) { o.on_frame(view); });

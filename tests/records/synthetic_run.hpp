@@ -20,6 +20,7 @@ struct SyntheticRun {
   RunStart start() const;
   WindowReport window(long k) const;  // ends at (k + 1) * length
   std::vector<double> depth(double time) const;
+  BlocksView blocks(double time) const;  // the second one moves after 0.2 s
   Grains grains(double time) const;
   // Force along the slope on the wall in the window that ends at `time` [N]: 0 before 0.1 s, a sine bump of 20 ms and 40 N,
   // then 6 N; every fourth window carries 4 N more, every other fourth 4 N less, once there is contact.
@@ -32,6 +33,7 @@ struct SyntheticRun {
   ReferenceSurface surface;
   Grid grid;
   double scale;
+  bool refined = false;  // two blocks of cells of half and a quarter of the size before the wall
   bool planes = false;  // the wall is made of planes: a heap that is deepest at 0.1 s, a climb that is highest at 0.12 s
 };
 
