@@ -9,6 +9,7 @@
 
 #include "app/verbs.hpp"
 #include "continuum/errors.hpp"
+#include "continuum/isa/isa.hpp"
 #include "coupling/engine/engine_error.hpp"
 #include "coupling/loop/interrupted.hpp"
 #include "coupling/records/record_error.hpp"
@@ -47,10 +48,13 @@ int main(int argc, char** argv) {
   add_check(app, exit_code);
   if (argc > 1 && argv[1][0] != '-' && unknown_verb(app, argv[1])) return 2;
   try {
+    chosen_isa();  // a wrong COULOIR_ISA is told before anything is made
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const IsaError& error) {
+    return fail(2, "error in the input", error);
   } catch (const SceneError& error) {
     return fail(2, "error in the input", error);
   } catch (const EngineError& error) {

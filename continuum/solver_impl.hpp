@@ -14,6 +14,7 @@
 #include "continuum/boundary/ghosts.hpp"
 #include "continuum/mesh/forest.hpp"
 #include "continuum/mesh/mesh.hpp"
+#include "continuum/scheme/kernels.hpp"
 #include "continuum/scheme/parameters.hpp"
 #include "continuum/scheme/stage.hpp"
 #include "continuum/solver.hpp"
@@ -114,6 +115,7 @@ struct Solver::Impl {
 
   SolverSettings settings;
   Parameters parameters;
+  const Kernels& kernels = couloir::kernels();
   std::unique_ptr<Forest> forest;  // none: the mesh is uniform and stays so
   Mesh mesh;
   std::optional<Ghosts> ghosts;

@@ -72,7 +72,8 @@ std::vector<double> Solver::Impl::begin(int level, double at, double share) {
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
     for (int k = 0; k < n; ++k) {
       const int b = chosen[k];
-      rates[b] = begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()], levels[l].strained);
+      rates[b] = kernels.begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()],
+                                    levels[l].strained);
     }
     levels[l].strained = 0;
     if (with_earth_pressure(parameters)) {
@@ -129,8 +130,8 @@ void Solver::Impl::look_ahead(int level, double from, double to, double dt) {
     for (int m = 0; m < n; ++m) {
       const int k = beside[m];
       nobodys.reset(impulse.size(), gauges.size(), boxes.size());
-      run_stage(parameters, mesh.blocks()[k], faces[k], zone, {}, states[k], scratch[omp_get_thread_num()], StageName::predictor,
-                dt, nobodys);
+      kernels.run_stage(parameters, mesh.blocks()[k], faces[k], zone, {}, states[k], scratch[omp_get_thread_num()],
+                        StageName::predictor, dt, nobodys);
     }
   }
   for (int k : levels[level + 1].chosen) ghosts->look_ahead(states, k);
@@ -189,8 +190,8 @@ void Solver::Impl::run(int level, StageName stage, double dt) {
       tallies[b].reset(impulse.size(), gauges.size(), boxes.size());
       if (level > 0) before[b] = {states[b].now, states[b].passive_x, states[b].passive_y, states[b].wet};
     }
-    run_stage(parameters, mesh.blocks()[b], faces[b], zone, {&across[b], &across}, states[b], scratch[omp_get_thread_num()],
-              stage, dt, tallies[b]);
+    kernels.run_stage(parameters, mesh.blocks()[b], faces[b], zone, {&across[b], &across}, states[b],
+                      scratch[omp_get_thread_num()], stage, dt, tallies[b]);
   }
 }
 

@@ -6,11 +6,7 @@
 #include <sstream>
 
 #include "continuum/errors.hpp"
-#include "continuum/scheme/face_flux.hpp"
 #include "continuum/scheme/mobilisation.hpp"
-#include "continuum/scheme/reconstruct.hpp"
-#include "continuum/scheme/rest.hpp"
-#include "continuum/scheme/velocity.hpp"
 
 namespace couloir {
 namespace {
@@ -98,18 +94,18 @@ void PlaneFlow::fill_ghosts() {
 
 void PlaneFlow::find_closures() {
   fill_ghosts();
-  find_velocity(parameters_, block_, state_.now, scratch_);
-  find_earth_pressure(parameters_, block_, state_, scratch_);
+  kernels_->find_velocity(parameters_, block_, state_.now, scratch_);
+  kernels_->find_earth_pressure(parameters_, block_, state_, scratch_);
 }
 
 void PlaneFlow::refresh() {
   if (!state_.wet) return;
   fill_ghosts();
-  find_velocity(parameters_, block_, state_.now, scratch_);
-  mobilise(parameters_, block_, no_steps_, state_, scratch_, strained_);
+  kernels_->find_velocity(parameters_, block_, state_.now, scratch_);
+  kernels_->mobilise(parameters_, block_, no_steps_, state_, scratch_, strained_);
   strained_ = 0;
   fill_ghosts();
-  find_earth_pressure(parameters_, block_, state_, scratch_);
+  kernels_->find_earth_pressure(parameters_, block_, state_, scratch_);
 }
 
 double PlaneFlow::stable_dt() const {
@@ -240,7 +236,7 @@ void PlaneFlow::stage(StageName name, double dt, Tally& t) {
   const Block& b = block_;
   find_closures();
   if (settings_.weight > 0 && settings_.drive_b == 0) {
-    find_locked(parameters_, b, state_, w);
+    kernels_->find_locked(parameters_, b, state_, w);
     loosen_where_it_comes_in();
   } else {
     std::fill(w.loose.begin(), w.loose.end(), 1.0);
@@ -248,9 +244,9 @@ void PlaneFlow::stage(StageName name, double dt, Tally& t) {
   const EarthPressure& closure = parameters_.closure.earth_pressure;
   const Axis x = Axis::x(b, state_, w, closure), y = Axis::y(b, state_, w, closure);
   for (const Axis& axis : {x, y}) {
-    find_shocks(parameters_, b, axis, state_.now, w.smooth);
-    reconstruct_all(parameters_, b, axis, state_.now, w, w.values);
-    face_fluxes(parameters_, b, axis, w, w.values);
+    kernels_->find_shocks(parameters_, b, axis, state_.now, w.smooth);
+    kernels_->reconstruct_all(parameters_, b, axis, state_.now, w, w.values);
+    kernels_->face_fluxes(parameters_, b, axis, w, w.values);
     FaceFluxes& f = *axis.fluxes;
     for (SideName side : all_sides) {
       if (is_a(side) != axis.along_x) continue;
@@ -266,7 +262,7 @@ void PlaneFlow::stage(StageName name, double dt, Tally& t) {
   limit_outflow(name, dt);
   std::fill(w.source_x.begin(), w.source_x.end(), 0.0);
   for (int c = 0; c < b.size(); ++c) w.source_y[c] = state_.now.h[c] * settings_.drive_b;
-  update(parameters_, b, state_, w, name, dt, true, false, t);
+  kernels_->update(parameters_, b, state_, w, name, dt, true, false, t);
 }
 
 Budget PlaneFlow::take_budget() {

@@ -20,6 +20,7 @@
 #include "continuum/flow/flow_state.hpp"
 #include "continuum/mesh/block.hpp"
 #include "continuum/planes/edge_flux.hpp"
+#include "continuum/scheme/kernels.hpp"
 #include "continuum/scheme/parameters.hpp"
 #include "continuum/scheme/scratch.hpp"
 #include "continuum/scheme/step_faces.hpp"
@@ -85,6 +86,7 @@ class PlaneFlow {
 
   PlaneSettings settings_;
   Parameters parameters_;
+  const Kernels* kernels_ = &kernels();
   Block block_;
   BlockState state_;
   StepFaces no_steps_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuum/isa/isa.hpp"
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/effects.hpp"
 #include "coupling/plan/limits.hpp"
@@ -175,6 +176,7 @@ Plan make_plan(const Scene& scene) {
     plan.grid = grid_of(scene);
     plan.scheme = scene.continuum.scheme;
     plan.limiter = scene.continuum.limiter;
+    plan.instruction_set = to_string(chosen_isa());
     plan.cells = static_cast<std::int64_t>(plan.grid.nx) * plan.grid.ny;
     plan.dt = least_step(scene, plan.grid);
     plan.steps = whole(scene.duration / plan.dt);

@@ -23,6 +23,7 @@ struct Plan {
   double release_volume = 0, release_mass = 0;  // [m3], [kg]
   Grid grid;                                    // nx = 0 in mode grains
   std::string scheme, limiter;                  // empty in mode grains
+  std::string instruction_set;                  // of this machine's kernels; likewise
   std::int64_t cells = 0;
   double dt = 0;                         // [s] least continuum step expected
   std::int64_t steps = 0;                // at that step

@@ -31,7 +31,7 @@ std::string plan_text(const Plan& plan) {
   out += fmt::format("release    {:.4g} kg, {:.4g} L\n", plan.release_mass, plan.release_volume * 1e3);
   if (plan.cells > 0) {
     out += fmt::format("mesh       {} x {} cells of {} x {}\n", plan.grid.nx, plan.grid.ny, len(plan.grid.dx), len(plan.grid.dy));
-    out += fmt::format("scheme     {}, limiter {}\n", plan.scheme, plan.limiter);
+    out += fmt::format("scheme     {}, limiter {}; instructions {}\n", plan.scheme, plan.limiter, plan.instruction_set);
     out += fmt::format("steps      about {} of {:.2g} ms\n", plan.steps, plan.dt * 1e3);
   }
   if (plan.zone) {
@@ -61,9 +61,10 @@ nlohmann::json plan_json(const Plan& plan) {
   json["title"] = plan.title;
   json["mode"] = to_string(plan.mode);
   json["release"] = {{"volume", plan.release_volume}, {"mass", plan.release_mass}};
-  json["continuum"] = {{"scheme", plan.scheme}, {"limiter", plan.limiter}, {"cells", plan.cells},
-                       {"nx", plan.grid.nx},    {"ny", plan.grid.ny},      {"dx", plan.grid.dx},
-                       {"dy", plan.grid.dy},    {"dt", plan.dt},           {"steps", plan.steps}};
+  json["continuum"] = {{"scheme", plan.scheme}, {"limiter", plan.limiter}, {"instruction_set", plan.instruction_set},
+                       {"cells", plan.cells},   {"nx", plan.grid.nx},      {"ny", plan.grid.ny},
+                       {"dx", plan.grid.dx},    {"dy", plan.grid.dy},      {"dt", plan.dt},
+                       {"steps", plan.steps}};
   if (plan.zone) {
     json["zone"] = json_of(plan.zone->box);
     json["zone"]["reason"] = plan.zone->reason;

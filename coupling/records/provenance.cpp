@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "continuum/isa/isa.hpp"
 #include "couloir_build.hpp"
 
 namespace couloir {
@@ -33,8 +34,8 @@ std::string library_versions() {
 }  // namespace
 
 const Provenance& provenance() {
-  static const Provenance made{build::kVersion, build::kRevision, build::kCompiler,
-                               build::kFlags,   cpu_model(),      library_versions()};
+  static const Provenance made{build::kVersion, build::kRevision,        build::kCompiler,  build::kFlags,
+                               cpu_model(),     to_string(chosen_isa()), library_versions()};
   return made;
 }
 

@@ -5,12 +5,13 @@
 namespace couloir {
 
 struct Provenance {
-  std::string version;    // of couloir, "0.1.0"
-  std::string revision;   // git commit, "-dirty" where the tree differed from it; "unknown" outside of a git tree
-  std::string compiler;   // "GNU 12.2.0"
-  std::string flags;      // that the sources were compiled with
-  std::string cpu;        // model name; "unknown" where the system does not tell
-  std::string libraries;  // "HDF5 1.10.8, Eigen 3.4.0, ..."
+  std::string version;          // of couloir, "0.1.0"
+  std::string revision;         // git commit, "-dirty" where the tree differed from it; "unknown" outside of a git tree
+  std::string compiler;         // "GNU 12.2.0"
+  std::string flags;            // that the sources were compiled with
+  std::string cpu;              // model name; "unknown" where the system does not tell
+  std::string instruction_set;  // of the continuum's kernels (continuum/isa/isa.hpp)
+  std::string libraries;        // "HDF5 1.10.8, Eigen 3.4.0, ..."
 };
 
 const Provenance& provenance();

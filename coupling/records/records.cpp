@@ -71,6 +71,7 @@ void Records::write_root(const Scene& scene, double bulk_density) {
       {"compiler", made.compiler},
       {"compiler_flags", made.flags},
       {"cpu", made.cpu},
+      {"instruction_set", made.instruction_set},
       {"libraries", made.libraries},
       {"start_time", now_utc()},
       {"title", scene.title},

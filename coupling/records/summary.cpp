@@ -152,6 +152,7 @@ void Summary::on_finish(const RunEnd& end) {
   out["scene"] = scene_;
   out["mode"] = mode_;
   out["revision"] = provenance().revision;
+  out["instruction_set"] = provenance().instruction_set;
   out["engine"] = end.engine.empty() ? engine_ : end.engine;
   out["bulk_density"] = bulk_density_;
   out["time"] = time_json(end, last_.time);

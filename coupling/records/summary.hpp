@@ -2,7 +2,7 @@
 // RUN/summary.json: the run in a page. Keys are a contract (docs of the verbs); all SI. Written when the run ends, in whatever
 // state: status "done", "interrupted" or "failed", with the reason.
 //
-//   status, reason; title, scene, mode, revision, engine, bulk_density
+//   status, reason; title, scene, mode, revision, instruction_set (continuum/isa), engine, bulk_density
 //   time      .simulated, .wall, .cpu [s]; .cpu_continuum, .cpu_engine, .cpu_coupling [s] and .share_* of cpu [-]
 //   mass      .initial, .final, .left_domain, .entered, .overtopped [kg]; .relative_error, the largest of all windows
 //             final: what is still in the domain: continuum + grains + faces + airborne

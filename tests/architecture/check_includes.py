@@ -5,12 +5,13 @@ import re
 import sys
 
 ALLOWED = {
+    "continuum/isa": [],
     "continuum/flow": ["continuum/errors.hpp"],
     "continuum/terrain": ["continuum/errors.hpp"],
     "continuum/mesh": ["continuum/flow", "continuum/terrain", "continuum/errors.hpp"],
     "continuum/boundary": ["continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/errors.hpp"],
-    "continuum/scheme": ["continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/boundary", "continuum/errors.hpp"],
-    "continuum/noc": ["continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/boundary", "continuum/scheme",
+    "continuum/scheme": ["continuum/isa", "continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/boundary", "continuum/errors.hpp"],
+    "continuum/noc": ["continuum/isa", "continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/boundary", "continuum/scheme",
                       "continuum/flow_model.hpp", "continuum/bytes.hpp", "continuum/errors.hpp"],
     "continuum/exact": ["continuum/flow", "continuum/terrain"],
     "continuum": ["continuum"],
@@ -21,7 +22,7 @@ ALLOWED = {
     "coupling/transfer": ["continuum/solver.hpp", "continuum/terrain", "coupling/engine"],
     "coupling/loop": ["continuum", "coupling/engine", "coupling/transfer", "coupling/scene", "coupling/plan"],
     "coupling/records": ["coupling/loop/observer.hpp", "coupling/scene", "coupling/engine/grain_engine.hpp", "continuum/solver.hpp",
-                         "continuum/terrain"],
+                         "continuum/terrain", "continuum/isa"],
     "coupling/check": ["coupling/scene", "coupling/records"],
     "app": ["continuum", "coupling"],
 }

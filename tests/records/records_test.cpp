@@ -61,7 +61,7 @@ TEST(Records, NameWhatMadeThem) {
   const TemporaryFolder folder;
   record(SyntheticRun(Mode::coupled), folder / "a");
   const RecordsReader reader(folder / "a/records.h5");
-  for (const char* name : {"couloir_version", "git_revision", "compiler", "compiler_flags", "cpu", "libraries", "start_time"})
+  for (const char* name : {"couloir_version", "git_revision", "compiler", "compiler_flags", "cpu", "instruction_set", "libraries", "start_time"})
     EXPECT_NE(reader.text(name), "") << name;
   EXPECT_EQ(reader.text("scene"), "title: Heap onto a wall\n# complete\n");
   EXPECT_EQ(reader.text("status"), "done");

@@ -91,6 +91,12 @@ class CommandLine(unittest.TestCase):
     def test_an_unknown_verb(self):
         self.expect(couloir("fly"), 2, "no verb 'fly'", "check")
 
+    def test_an_instruction_set_that_is_none(self):
+        for word in ("avx1024", "AVX2"):
+            self.expect(couloir("plan", SMALL, env={**os.environ, "COULOIR_ISA": word}), 2, word, "baseline, avx2 or avx512")
+        plan = json.loads(couloir("plan", SMALL, "--json", env={**os.environ, "COULOIR_ISA": "baseline"}).stdout)
+        self.assertEqual(plan["continuum"]["instruction_set"], "baseline")
+
     def test_a_report_of_no_run(self):
         self.expect(couloir("report", self.dir), 2, "is not a run folder")
 
