@@ -27,15 +27,15 @@ inline double foot(double h, double over, double gained, double weight, double d
 }
 
 // What the answer of K to strain asks of a face beyond HLL, which knows the waves of K h alone: both sides' velocities even out
-// at the faster speed, where K can still follow. Else nothing damps those waves.
-inline double resistance(double compression, double h, double k, double stiffness, double weight, double least, double most) {
-  const double speed = std::sqrt((k + stiffness) * weight * h) - std::sqrt(k * weight * h);
+// at the faster speed, where K can still follow. Else nothing damps those waves. c: the slower wave of both sides.
+inline double resistance(double compression, double h, double c, double stiffness, double weight, double least, double most) {
+  const double speed = std::sqrt(c * c + stiffness * weight * h) - c;
   const double room = compression > 0 ? 1 - least : most;
   return room > 0 ? 0.5 * h * speed * compression : 0.0;
 }
 
 // Without relief h* = h and the bed does not push: the same bits for less work.
-template <bool relief, bool flattening, bool elastic>
+template <bool relief, bool jumps, bool flattening, bool elastic>
 void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
   const int step = axis.step;
   FaceFluxes& out = *axis.fluxes;
@@ -64,8 +64,9 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
       }
       NormalFlux n = hll(over_l, un_hi[l], gl, over_r, un_lo[r], gr, flattening && smooth[l] * smooth[r] == 0);
       if constexpr (elastic) {
-        n.momentum += resistance(un_hi[l] - un_lo[r], smaller(over_l, over_r), 0.5 * (kl + kr), stiffness, weight[i],
-                                 smaller(passive[l], passive[r]), larger(passive[l], passive[r]));
+        n.momentum +=
+            resistance(un_hi[l] - un_lo[r], smaller(over_l, over_r), smaller(std::sqrt(gl * over_l), std::sqrt(gr * over_r)),
+                       stiffness, weight[i], smaller(passive[l], passive[r]), larger(passive[l], passive[r]));
       }
       const double m = n.mass * larger(loose[l], loose[r]);
       mass[r] = m;
@@ -81,8 +82,10 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
         push_l = (pressure(hl, gl) - pressure(over_l, gl)) + (un_hi[l] > 0 ? larger(turned_l, blocked) : turned_l);
         push_r = (pressure(hr, gr) - pressure(over_r, gr)) + turned_r;
       }
-      below[r] = n.momentum + push_l;
-      above[r] = n.momentum + push_r;
+      if constexpr (jumps) {
+        below[r] = n.momentum + push_l;
+        above[r] = n.momentum + push_r;
+      }
     }
   }
 }
@@ -107,8 +110,13 @@ void flatten_at_feet(const Block& b, const Axis& axis, const Fields& q, std::vec
 
 void face_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
   const auto run = [&]<bool elastic>(std::bool_constant<elastic>) {
-    if (with_relief(b)) return fluxes<built::relief, built::all, elastic>(b, axis, w, f);
-    with_friction(p) ? fluxes<false, built::friction, elastic>(b, axis, w, f) : fluxes<false, false, elastic>(b, axis, w, f);
+    constexpr bool friction = built::friction;
+    if (with_relief(b)) return fluxes<built::relief, true, built::all, elastic>(b, axis, w, f);
+    if (w.jumps)
+      return with_friction(p) ? fluxes<false, true, friction, elastic>(b, axis, w, f)
+                              : fluxes<false, true, false, elastic>(b, axis, w, f);
+    with_friction(p) ? fluxes<false, false, friction, elastic>(b, axis, w, f)
+                     : fluxes<false, false, false, elastic>(b, axis, w, f);
   };
   with_earth_pressure(p) ? run(std::bool_constant<built::earth_pressure>()) : run(std::false_type());
 }

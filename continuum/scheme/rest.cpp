@@ -112,6 +112,11 @@ bool find_dry(const Parameters& p, const Block& b, const BlockState& s, double* 
 }  // namespace
 
 void find_locked(const Parameters& p, const Block& b, const BlockState& s, Scratch& w) {
+  w.locked = w.still;
+  if (!w.locked) {
+    std::fill_n(w.loose.begin(), b.size(), 1.0);
+    return;
+  }
   const RestTest test(p, b, s, w);
   double* loose = w.loose.data();
   for (int j = -1; j <= b.ny; ++j) {

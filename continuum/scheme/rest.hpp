@@ -14,7 +14,7 @@
 
 namespace couloir {
 
-// scratch.loose in the interior and the first ghost layer.
+// scratch.loose in the interior and the first ghost layer; scratch.locked. Needs find_velocity().
 void find_locked(const Parameters&, const Block&, const BlockState&, Scratch&);
 
 }  // namespace couloir

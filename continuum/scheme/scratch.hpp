@@ -29,6 +29,9 @@ struct FaceFluxes {
 };
 
 struct Scratch {
+  bool still = true;   // some cell is dry or without velocity
+  bool locked = true;  // some cell may be locked at rest
+  bool jumps = true;   // somewhere the two sides of a face see different fluxes; else normal_below, normal_above are not kept
   std::vector<double> u, v;    // velocity [m/s]
   std::vector<double> eta;     // surface [m]; only on a bed with relief
   std::vector<double> kx, ky;  // earth pressure coefficients; 1 where the closure is hydraulic

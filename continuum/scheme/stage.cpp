@@ -46,6 +46,7 @@ void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, con
                BlockState& s, Scratch& w, StageName stage, double dt, Tally& t) {
   const EarthPressure& closure = p.closure.earth_pressure;
   const Axis x = Axis::x(b, s, w, closure), y = Axis::y(b, s, w, closure);
+  w.jumps = with_relief(b) || !faces.steps.x.empty() || !faces.steps.y.empty() || !faces.boxes.empty();
   find_velocity(p, b, s.now, w);
   find_earth_pressure(p, b, s, w);
   find_locked(p, b, s, w);
@@ -75,7 +76,7 @@ double begin_step(const Parameters& p, const Block& b, const BlockFaces& faces, 
     const double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data(), *u = w.u.data(), *v = w.v.data(),
                  *kx = w.kx.data(), *ky = w.ky.data();
     const double* weight = b.weight.data() + Block::ghosts;
-    const double dx = b.grid.dx, dy = b.grid.dy;
+    const double per_dx = 1 / b.grid.dx, per_dy = 1 / b.grid.dy;
     for (int j = j0; j < j1; ++j) {
       const int row = b.at(0, j);
 #pragma omp simd reduction(max : rate) reduction(+ : not_finite)
@@ -84,7 +85,7 @@ double begin_step(const Parameters& p, const Block& b, const BlockFaces& faces, 
         const double gh = weight[i] * std::max(0.0, h[c]);
         const double x = earth_pressure ? k_of_step(kx[c], stiffness_x) * gh : gh;
         const double y = earth_pressure ? k_of_step(ky[c], stiffness_y) * gh : gh;
-        const double here = (std::abs(u[c]) + std::sqrt(x)) / dx + (std::abs(v[c]) + std::sqrt(y)) / dy;
+        const double here = (std::abs(u[c]) + std::sqrt(x)) * per_dx + (std::abs(v[c]) + std::sqrt(y)) * per_dy;
         rate = std::max(rate, here);
         const double all = here + h[c] + hu[c] + hv[c];
         not_finite += all - all == 0 ? 0.0 : 1.0;

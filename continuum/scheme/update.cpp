@@ -39,22 +39,23 @@ inline Halves halves(double lower, double upper, bool lower_locked, bool upper_l
   return {free_lower + free_upper, (lower - free_lower) + (upper - free_upper)};
 }
 
-// What a row's kernel does is told by the bits of one number.
-constexpr unsigned keeps_losses = 1, has_friction = 2, has_earth_pressure = 4, has_sources = 8, kernel_count = 16;
+// What a kernel does is told by the bits of one number. is_free: all cells are the solver's own and none is locked, both sides
+// of each face see the same flux unless there are sources, and nobody asks for the losses.
+constexpr unsigned has_friction = 1, has_earth_pressure = 2, has_sources = 4, is_free = 8, kernel_count = 16;
 
 template <StageName stage, unsigned does>
 void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, double dt, int j) {
-  constexpr bool keep_losses = does & keeps_losses, friction = does & has_friction, earth_pressure = does & has_earth_pressure,
-                 sources = does & has_sources;
+  constexpr bool friction = does & has_friction, earth_pressure = does & has_earth_pressure, sources = does & has_sources,
+                 free = does & is_free, jumps = sources || !free;
   const int row = b.row(), begin = b.at(0, j);
   const double per_dx = 1 / b.grid.dx, per_dy = 1 / b.grid.dy, mu = p.closure.tan_delta, dry = p.dry_depth;
   double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data();
   double *h0 = s.start.h.data(), *hu0 = s.start.hu.data(), *hv0 = s.start.hv.data();
   const double *open = s.open.data(), *loose = w.loose.data(), *u = w.u.data(), *kx = w.kx.data(), *ky = w.ky.data();
-  const double *x_mass = w.x.mass.data(), *x_normal = w.x.normal.data(), *x_below = w.x.normal_below.data(),
-               *x_above = w.x.normal_above.data(), *x_tangent = w.x.tangent.data();
-  const double *y_mass = w.y.mass.data(), *y_normal = w.y.normal.data(), *y_below = w.y.normal_below.data(),
-               *y_above = w.y.normal_above.data(), *y_tangent = w.y.tangent.data();
+  const double *x_mass = w.x.mass.data(), *x_normal = w.x.normal.data(), *x_below = jumps ? w.x.normal_below.data() : x_normal,
+               *x_above = jumps ? w.x.normal_above.data() : x_normal, *x_tangent = w.x.tangent.data();
+  const double *y_mass = w.y.mass.data(), *y_normal = w.y.normal.data(), *y_below = jumps ? w.y.normal_below.data() : y_normal,
+               *y_above = jumps ? w.y.normal_above.data() : y_normal, *y_tangent = w.y.tangent.data();
   const double *source_x = w.source_x.data(), *source_y = w.source_y.data();
   const double *weight = b.weight.data() + Block::ghosts, *drive = b.drive.data() + Block::ghosts,
                *kappa = b.kappa.data() + Block::ghosts;
@@ -68,7 +69,7 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
 #pragma omp simd
   for (int i = 0; i < b.nx; ++i) {
     const int c = begin + i;
-    const bool active = open[c] != 0;
+    const bool active = free || open[c] != 0;
     const double old_h = h[c], old_hu = hu[c], old_hv = hv[c];
 
     // Flux differences and sources.
@@ -78,13 +79,13 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
     const double mid_x = pressure(old_h, (earth_pressure ? kx[c] : 1.0) * weight[i]),
                  mid_y = pressure(old_h, (earth_pressure ? ky[c] : 1.0) * weight[i]);
     const Halves x = halves(0.5 * push_x + (x_above[c] - mid_x) * per_dx, 0.5 * push_x - (x_below[c + 1] - mid_x) * per_dx,
-                            loose[c] + loose[c - 1] == 0, loose[c] + loose[c + 1] == 0);
+                            !free && loose[c] + loose[c - 1] == 0, !free && loose[c] + loose[c + 1] == 0);
     const Halves y = halves(0.5 * push_y + (y_above[c] - mid_y) * per_dy, 0.5 * push_y - (y_below[c + row] - mid_y) * per_dy,
-                            loose[c] + loose[c - row] == 0, loose[c] + loose[c + row] == 0);
+                            !free && loose[c] + loose[c - row] == 0, !free && loose[c] + loose[c + row] == 0);
     const double free_hu = old_hu + dt * (x.force - x_by_y), free_hv = old_hv + dt * (y.force - y_by_x);
 
     // Friction. A locked cell among locked cells is held whatever the rounding says.
-    const bool held = loose[c] + loose[c - 1] + loose[c + 1] + loose[c - row] + loose[c + row] == 0;
+    const bool held = !free && loose[c] + loose[c - 1] + loose[c + 1] + loose[c - row] + loose[c + row] == 0;
     double factor = held ? 0.0 : 1.0;
     if constexpr (friction) {
       const double capacity = coulomb_capacity(dt, mu, weight[i], built::curvature ? kappa[i] : 0.0, u[c], old_h);
@@ -124,13 +125,15 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
     hv[c] = active ? new_hv : old_hv;
 
     // Sums.
-    const double bed_x = (x_above[c] - x_normal[c]) - (x_below[c + 1] - x_normal[c + 1]);
-    const double bed_y = (y_above[c] - y_normal[c]) - (y_below[c + row] - y_normal[c + row]);
+    const double bed_x = jumps ? (x_above[c] - x_normal[c]) - (x_below[c + 1] - x_normal[c + 1]) : 0.0;
+    const double bed_y = jumps ? (y_above[c] - y_normal[c]) - (y_below[c + row] - y_normal[c + row]) : 0.0;
     sum_gx[i] += active ? 0.5 * dt * (push_x + bed_x * per_dx) : 0.0;
-    sum_gy[i] += active ? 0.5 * dt * (push_y + bed_y * per_dy) : 0.0;
-    sum_fx[i] += active ? lost_x : 0.0;
-    sum_fy[i] += active ? lost_y : 0.0;
-    if constexpr (keep_losses) {
+    if constexpr (jumps) sum_gy[i] += active ? 0.5 * dt * (push_y + bed_y * per_dy) : 0.0;
+    if constexpr (friction || !free) {
+      sum_fx[i] += active ? lost_x : 0.0;
+      sum_fy[i] += active ? lost_y : 0.0;
+    }
+    if constexpr (!free) {
       kept_x[c] = active ? lost_x + dropped_x : 0.0;
       kept_y[c] = active ? lost_y + dropped_y : 0.0;
     }
@@ -140,7 +143,7 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
     min_h[i] = std::min(min_h[i], active ? raw_h : std::numeric_limits<double>::infinity());
     max_h[i] = std::max(max_h[i], h[c]);
     const double all = raw_h + h[c] + hu[c] + hv[c];
-    bad[i] += all - all == 0 ? 0.0 : 1.0;
+    bad[i] += all - all;  // 0, or not a number
   }
 }
 
@@ -159,8 +162,9 @@ constexpr auto correctors = kernels<StageName::corrector>(std::make_integer_sequ
 void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, StageName stage, double dt, bool sources,
             bool keep_losses, Tally& t) {
   clear(w.columns, b.nx);
-  const unsigned does = (keep_losses ? keeps_losses : 0) | (with_friction(p) ? has_friction : 0) |
-                        (with_earth_pressure(p) ? has_earth_pressure : 0) | (sources ? has_sources : 0);
+  const bool free = s.all_open && !w.locked && (sources || !w.jumps) && !keep_losses;
+  const unsigned does = (with_friction(p) ? has_friction : 0) | (with_earth_pressure(p) ? has_earth_pressure : 0) |
+                        (sources ? has_sources : 0) | (free ? is_free : 0);
   const Row row = (stage == StageName::predictor ? predictors : correctors)[does];
   for (int j = 0; j < b.ny; ++j) row(p, b, s, w, dt, j);
   const double area = b.grid.dx * b.grid.dy;

@@ -1,5 +1,7 @@
 #include "continuum/scheme/velocity.hpp"
 
+#include <cmath>
+
 #include "continuum/scheme/effects.hpp"
 
 namespace couloir {
@@ -9,13 +11,16 @@ void find_velocity(const Parameters& p, const Block& b, const Fields& q, Scratch
   double *u = w.u.data(), *v = w.v.data(), *eta = w.eta.data();
   const double dry = p.dry_depth;
   const int n = b.size();
-#pragma omp simd
+  double still = 0;
+#pragma omp simd reduction(+ : still)
   for (int c = 0; c < n; ++c) {
     const bool wet = h[c] >= dry;
-    const double depth = wet ? h[c] : 1.0;
-    u[c] = wet ? hu[c] / depth : 0.0;
-    v[c] = wet ? hv[c] / depth : 0.0;
+    const double per_depth = 1 / (wet ? h[c] : 1.0);
+    u[c] = wet ? hu[c] * per_depth : 0.0;
+    v[c] = wet ? hv[c] * per_depth : 0.0;
+    still += std::abs(u[c]) + std::abs(v[c]) > 0 ? 0.0 : 1.0;
   }
+  w.still = still > 0;
   if (with_relief(b)) {
 #pragma omp simd
     for (int c = 0; c < n; ++c) eta[c] = h[c] + bed[c];

@@ -7,7 +7,7 @@
 
 namespace couloir {
 
-// u, v, eta in all cells, ghosts included; no velocity where the depth is below dry_depth.
+// u, v, eta in all cells, ghosts included; no velocity where the depth is below dry_depth. And Scratch::still.
 void find_velocity(const Parameters&, const Block&, const Fields&, Scratch&);
 
 }  // namespace couloir
