@@ -188,7 +188,7 @@ void PlaneFlow::limit_outflow(StageName name, double dt) {
   const Block& b = block_;
   FaceFluxes &x = scratch_.x, &y = scratch_.y;
   const int row = b.row();
-  std::vector<double>& share = scratch_.source_x;  // free at this point
+  Values& share = scratch_.source_x;  // free at this point
   std::fill(share.begin(), share.end(), 1.0);
   const double reserve = name == StageName::predictor ? 2 : 1;
   bool some = false;

@@ -92,7 +92,7 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
 
 }  // namespace
 
-void flatten_at_feet(const Block& b, const Axis& axis, const Fields& q, std::vector<double>& smooth) {
+void flatten_at_feet(const Block& b, const Axis& axis, const Fields& q, Values& smooth) {
   const int step = axis.step;
   const double spacing = axis.spacing;
   const double *h = q.h.data(), *bed = b.bed.data(), *k = axis.k;

@@ -22,7 +22,7 @@ namespace couloir {
 
 // No slopes in a cell at the foot of a wall, where the bed rises steeply above the head on one side and does not fall half as
 // steeply on the other: what lies behind such a rise says nothing of the surface before it.
-void flatten_at_feet(const Block&, const Axis&, const Fields&, std::vector<double>& smooth);
+void flatten_at_feet(const Block&, const Axis&, const Fields&, Values& smooth);
 
 // Between two locked cells the mass flux is exactly zero.
 void face_fluxes(const Parameters&, const Block&, const Axis&, const Scratch&, const FaceValues&);

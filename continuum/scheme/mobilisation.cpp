@@ -9,7 +9,7 @@ namespace couloir {
 namespace {
 
 // Sum of the two one-sided velocity differences of cell c along an axis of this step.
-double stretching(const Parameters& p, const Block& b, const Fields& q, const std::vector<double>& u, int c, int step) {
+double stretching(const Parameters& p, const Block& b, const Fields& q, const Values& u, int c, int step) {
   const auto difference = [&](int n) {
     const double to_neighbour = n > c ? 1.0 : -1.0;
     const bool wall = b.top[n] > b.top[c] && q.h[c] + b.bed[c] + b.top[c] <= b.bed[n] + b.top[n];

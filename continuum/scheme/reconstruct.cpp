@@ -85,7 +85,7 @@ void reconstruct_each(const Block& b, const Axis& axis, const Fields& q, const S
 
 }  // namespace
 
-void find_shocks(const Parameters& p, const Block& b, const Axis& axis, const Fields& q, std::vector<double>& smooth) {
+void find_shocks(const Parameters& p, const Block& b, const Axis& axis, const Fields& q, Values& smooth) {
   if (!with_friction(p)) {
     if (with_relief(b)) std::fill(smooth.begin(), smooth.end(), 1.0);
     return;

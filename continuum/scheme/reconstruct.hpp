@@ -15,7 +15,7 @@
 namespace couloir {
 
 // smooth: 0 in the cells in which no slope is drawn, else 1; where nothing asks for that (with_flattening()) it stays as it is.
-void find_shocks(const Parameters&, const Block&, const Axis&, const Fields&, std::vector<double>& smooth);
+void find_shocks(const Parameters&, const Block&, const Axis&, const Fields&, Values& smooth);
 
 // All four quantities. On a bed without relief the surface is the depth, and nobody looks at it.
 void reconstruct_all(const Parameters&, const Block&, const Axis&, const Fields&, const Scratch&, FaceValues&);

@@ -40,7 +40,7 @@ class RestTest {
  private:
   bool wall(int side) const { return p_.wall(side); }
 
-  Slope slope(int c, int n, const std::vector<double>& k, bool closed) const {
+  Slope slope(int c, int n, const Values& k, bool closed) const {
     if (closed) return {};
     const double to_neighbour = n > c ? 1.0 : -1.0;
     const double bed = to_neighbour * (b_.bed[n] - b_.bed[c]);
@@ -82,7 +82,7 @@ class RestTest {
 };
 
 // A ghost outside of the domain stands for the cell inside.
-void copy_from_inside(const Parameters& p, const Block& b, std::vector<double>& loose) {
+void copy_from_inside(const Parameters& p, const Block& b, Values& loose) {
   const auto outside = [&](int side) { return p.wall(side) || p.sides[side].kind == Side::Kind::outflow; };
   for (int j = 0; j < b.ny; ++j) {
     if (b.i0 == 0 && outside(0)) loose[b.at(-1, j)] = loose[b.at(0, j)];

@@ -16,13 +16,13 @@ namespace {
 // Sums by column: added row after row they vectorise, and their order is fixed.
 enum Column { gravity_x, gravity_y, friction_x, friction_y, cutoff_x, cutoff_y, clipped, least, most, not_finite, column_count };
 
-void clear(std::vector<std::vector<double>>& columns, int nx) {
+void clear(std::vector<Values>& columns, int nx) {
   columns.resize(column_count);
   for (auto& c : columns) c.assign(nx, 0.0);
   std::fill(columns[least].begin(), columns[least].end(), std::numeric_limits<double>::infinity());
 }
 
-double sum(const std::vector<double>& values) {
+double sum(const Values& values) {
   double s = 0;
   for (double v : values) s += v;
   return s;
