@@ -35,7 +35,7 @@ inline double resistance(double compression, double h, double c, double stiffnes
 }
 
 // Without relief h* = h and the bed does not push: the same bits for less work.
-template <bool relief, bool jumps, bool flattening, bool elastic>
+template <bool relief, bool one_flux, bool flattening, bool elastic>
 void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
   const int step = axis.step;
   FaceFluxes& out = *axis.fluxes;
@@ -82,7 +82,7 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
         push_l = (pressure(hl, gl) - pressure(over_l, gl)) + (un_hi[l] > 0 ? larger(turned_l, blocked) : turned_l);
         push_r = (pressure(hr, gr) - pressure(over_r, gr)) + turned_r;
       }
-      if constexpr (jumps) {
+      if constexpr (!one_flux) {
         below[r] = n.momentum + push_l;
         above[r] = n.momentum + push_r;
       }
@@ -109,16 +109,15 @@ void flatten_at_feet(const Block& b, const Axis& axis, const Fields& q, Values& 
 }
 
 void face_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
-  const auto run = [&]<bool elastic>(std::bool_constant<elastic>) {
-    constexpr bool friction = built::friction;
-    if (with_relief(b)) return fluxes<built::relief, true, built::all, elastic>(b, axis, w, f);
-    if (w.jumps)
-      return with_friction(p) ? fluxes<false, true, friction, elastic>(b, axis, w, f)
-                              : fluxes<false, true, false, elastic>(b, axis, w, f);
-    with_friction(p) ? fluxes<false, false, friction, elastic>(b, axis, w, f)
-                     : fluxes<false, false, false, elastic>(b, axis, w, f);
-  };
-  with_earth_pressure(p) ? run(std::bool_constant<built::earth_pressure>()) : run(std::false_type());
+  const auto with = [](bool yes, auto&& run) { yes ? run(std::true_type()) : run(std::false_type()); };
+  with(with_earth_pressure(p), [&]<bool elastic>(std::bool_constant<elastic>) {
+    constexpr bool k = elastic && built::earth_pressure;
+    if (with_relief(b)) return fluxes<built::relief, false, built::all, k>(b, axis, w, f);
+    with(with_friction(p), [&]<bool friction>(std::bool_constant<friction>) {
+      constexpr bool flattening = friction && built::friction;
+      w.one_flux ? fluxes<false, true, flattening, k>(b, axis, w, f) : fluxes<false, false, flattening, k>(b, axis, w, f);
+    });
+  });
 }
 
 void bed_source(const Block& b, const Axis& axis, const FaceValues& f) {

@@ -33,12 +33,14 @@ struct FaceFluxes {
 struct Scratch {
   bool still = true;   // some cell is dry or without velocity
   bool locked = true;  // some cell may be locked at rest
-  bool jumps = true;   // somewhere the two sides of a face see different fluxes; else normal_below, normal_above are not kept
-  Values u, v;         // velocity [m/s]
-  Values eta;          // surface [m]; only on a bed with relief
-  Values kx, ky;       // earth pressure coefficients; 1 where the closure is hydraulic
-  Values loose;        // 0 where the cell is locked at rest, else 1
-  Values smooth;       // 0 in a shock along the present axis, else 1; only with friction or relief
+  // Both cells at a face see the same flux: normal_below and normal_above are not kept. Only where nothing is locked or covered,
+  // too, as update() knows no other case.
+  bool one_flux = false;
+  Values u, v;    // velocity [m/s]
+  Values eta;     // surface [m]; only on a bed with relief
+  Values kx, ky;  // earth pressure coefficients; 1 where the closure is hydraulic
+  Values loose;   // 0 where the cell is locked at rest, else 1
+  Values smooth;  // 0 in a shock along the present axis, else 1; only with friction or relief
   FaceValues values;
   FaceFluxes x, y;
   Values source_x, source_y;    // momentum from the bed within the cell [m2/s2]; only on a bed with relief

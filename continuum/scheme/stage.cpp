@@ -46,10 +46,11 @@ void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, con
                BlockState& s, Scratch& w, StageName stage, double dt, Tally& t) {
   const EarthPressure& closure = p.closure.earth_pressure;
   const Axis x = Axis::x(b, s, w, closure), y = Axis::y(b, s, w, closure);
-  w.jumps = with_relief(b) || !faces.steps.x.empty() || !faces.steps.y.empty() || !faces.boxes.empty();
   find_velocity(p, b, s.now, w);
   find_earth_pressure(p, b, s, w);
   find_locked(p, b, s, w);
+  w.one_flux =
+      !with_relief(b) && faces.steps.x.empty() && faces.steps.y.empty() && faces.boxes.empty() && !w.locked && s.all_open;
   for (const Axis& axis : {x, y}) {
     fluxes_along(axis, p, b, faces, zone, across, s, w);
     count_sides(p, b, s, axis, 0.5 * dt, t);

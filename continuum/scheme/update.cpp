@@ -46,16 +46,16 @@ constexpr unsigned has_friction = 1, has_earth_pressure = 2, has_sources = 4, is
 template <StageName stage, unsigned does>
 void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, double dt, int j) {
   constexpr bool friction = does & has_friction, earth_pressure = does & has_earth_pressure, sources = does & has_sources,
-                 free = does & is_free, jumps = sources || !free;
+                 free = does & is_free, one_flux = free && !sources;
   const int row = b.row(), begin = b.at(0, j);
   const double per_dx = 1 / b.grid.dx, per_dy = 1 / b.grid.dy, mu = p.closure.tan_delta, dry = p.dry_depth;
   double *h = s.now.h.data(), *hu = s.now.hu.data(), *hv = s.now.hv.data();
   double *h0 = s.start.h.data(), *hu0 = s.start.hu.data(), *hv0 = s.start.hv.data();
   const double *open = s.open.data(), *loose = w.loose.data(), *u = w.u.data(), *kx = w.kx.data(), *ky = w.ky.data();
-  const double *x_mass = w.x.mass.data(), *x_normal = w.x.normal.data(), *x_below = jumps ? w.x.normal_below.data() : x_normal,
-               *x_above = jumps ? w.x.normal_above.data() : x_normal, *x_tangent = w.x.tangent.data();
-  const double *y_mass = w.y.mass.data(), *y_normal = w.y.normal.data(), *y_below = jumps ? w.y.normal_below.data() : y_normal,
-               *y_above = jumps ? w.y.normal_above.data() : y_normal, *y_tangent = w.y.tangent.data();
+  const double *x_mass = w.x.mass.data(), *x_normal = w.x.normal.data(), *x_below = one_flux ? x_normal : w.x.normal_below.data(),
+               *x_above = one_flux ? x_normal : w.x.normal_above.data(), *x_tangent = w.x.tangent.data();
+  const double *y_mass = w.y.mass.data(), *y_normal = w.y.normal.data(), *y_below = one_flux ? y_normal : w.y.normal_below.data(),
+               *y_above = one_flux ? y_normal : w.y.normal_above.data(), *y_tangent = w.y.tangent.data();
   const double *source_x = w.source_x.data(), *source_y = w.source_y.data();
   const double *weight = b.weight.data() + Block::ghosts, *drive = b.drive.data() + Block::ghosts,
                *kappa = b.kappa.data() + Block::ghosts;
@@ -125,10 +125,10 @@ void update_row(const Parameters& p, const Block& b, BlockState& s, Scratch& w, 
     hv[c] = active ? new_hv : old_hv;
 
     // Sums.
-    const double bed_x = jumps ? (x_above[c] - x_normal[c]) - (x_below[c + 1] - x_normal[c + 1]) : 0.0;
-    const double bed_y = jumps ? (y_above[c] - y_normal[c]) - (y_below[c + row] - y_normal[c + row]) : 0.0;
+    const double bed_x = one_flux ? 0.0 : (x_above[c] - x_normal[c]) - (x_below[c + 1] - x_normal[c + 1]);
+    const double bed_y = one_flux ? 0.0 : (y_above[c] - y_normal[c]) - (y_below[c + row] - y_normal[c + row]);
     sum_gx[i] += active ? 0.5 * dt * (push_x + bed_x * per_dx) : 0.0;
-    if constexpr (jumps) sum_gy[i] += active ? 0.5 * dt * (push_y + bed_y * per_dy) : 0.0;
+    if constexpr (!one_flux) sum_gy[i] += active ? 0.5 * dt * (push_y + bed_y * per_dy) : 0.0;
     if constexpr (friction || !free) {
       sum_fx[i] += active ? lost_x : 0.0;
       sum_fy[i] += active ? lost_y : 0.0;
@@ -162,7 +162,7 @@ constexpr auto correctors = kernels<StageName::corrector>(std::make_integer_sequ
 void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, StageName stage, double dt, bool sources,
             bool keep_losses, Tally& t) {
   clear(w.columns, b.nx);
-  const bool free = s.all_open && !w.locked && (sources || !w.jumps) && !keep_losses;
+  const bool free = s.all_open && !w.locked && (sources || w.one_flux) && !keep_losses;
   const unsigned does = (with_friction(p) ? has_friction : 0) | (with_earth_pressure(p) ? has_earth_pressure : 0) |
                         (sources ? has_sources : 0) | (free ? is_free : 0);
   const Row row = (stage == StageName::predictor ? predictors : correctors)[does];
