@@ -49,8 +49,8 @@ void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, con
   find_velocity(p, b, s.now, w);
   find_earth_pressure(p, b, s, w);
   find_locked(p, b, s, w);
-  w.one_flux =
-      !with_relief(b) && faces.steps.x.empty() && faces.steps.y.empty() && faces.boxes.empty() && !w.locked && s.all_open;
+  w.one_flux = !with_relief(b) && faces.steps.x.empty() && faces.steps.y.empty() && faces.taken.empty() && faces.boxes.empty() &&
+               !w.locked && s.all_open;
   for (const Axis& axis : {x, y}) {
     fluxes_along(axis, p, b, faces, zone, across, s, w);
     count_sides(p, b, s, axis, 0.5 * dt, t);
