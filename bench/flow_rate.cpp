@@ -57,8 +57,10 @@ void add(const std::string& name, const Scene& scene) {
   add(name, [scene](benchmark::State& state) {
     const long before = heap_bytes();
     Solver solver = solver_of(scene);
-    const double cells = static_cast<double>(scene.nx) * scene.ny, wet = cells / (scene.dry * scene.dry);
-    state.counters["bytes_per_cell"] = static_cast<double>(heap_bytes() - before) / cells;
+    const double coarse = static_cast<double>(scene.nx) * scene.ny, wet = coarse / (scene.dry * scene.dry);
+    double cells = 0;
+    for (const BlockPlace& b : solver.blocks()) cells += static_cast<double>(b.nx) * b.ny;
+    state.counters["bytes_per_cell"] = static_cast<double>(heap_bytes() - before) / (cells > 0 ? cells : coarse);
     const int steps = steps_for(wet);
     const auto set = [&] {
       for (int j = 0; j < scene.ny; ++j) {
@@ -70,9 +72,10 @@ void add(const std::string& name, const Scene& scene) {
       for (int k = 0; k < steps; ++k) solver.step(solver.stable_dt());
       return static_cast<double>(solver.cell_updates() - updates);
     });
-    // Blocks beside wet ones are stepped, too.
-    const double stepped = static_cast<double>(solver.cell_updates()) / (2.0 * static_cast<double>(solver.steps()));
-    state.counters["stepped_per_wet"] = stepped / wet;
+    if (scene.dry > 1) {  // blocks beside wet ones are stepped, too
+      const double stepped = static_cast<double>(solver.cell_updates()) / (2.0 * static_cast<double>(solver.steps()));
+      state.counters["stepped_per_wet"] = stepped / wet;
+    }
   });
 }
 
@@ -151,6 +154,11 @@ void add_others() {
     Scene s = all_physics();
     s.nx = s.ny = 512, s.dry = dry;
     add("wet/1:" + std::to_string(dry * dry), s);
+  }
+  for (const int levels : {0, 1, 2}) {
+    Scene s = all_physics();
+    s.levels = levels;
+    add("levels/" + std::to_string(levels + 1), s);
   }
   for (const int threads : {1, 2}) {
     Scene s = all_physics();

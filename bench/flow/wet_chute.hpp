@@ -14,7 +14,8 @@ constexpr double depth = 0.05, cell = 0.01;
 struct Scene {
   int nx = 256, ny = 128, block = 32, threads = 1;
   bool friction = false, active_passive = false, curvature = false, relief = false;
-  int dry = 1;  // only cells with i < nx / dry and j < ny / dry are wet
+  int levels = 0;  // how often the cells are halved in the middle of the chute, a quarter of it
+  int dry = 1;     // only cells with i < nx / dry and j < ny / dry are wet
 };
 
 // All of (2.87)-(2.92) but the bed's elevation: friction, active and passive earth pressure, curvature.
@@ -32,6 +33,10 @@ inline Solver solver_of(const Scene& s) {
   settings.dry_depth = 1e-6 * depth;
   settings.block = s.block;
   settings.threads = s.threads;
+  const double across_chute = s.ny * cell, along = s.nx * cell;
+  if (s.levels > 0) {
+    settings.refinement.boxes.push_back({0.375 * along, 0.625 * along, 0.375 * across_chute, 0.625 * across_chute, s.levels});
+  }
   if (s.active_passive) settings.closure.earth_pressure = EarthPressure::active_passive(37 * deg, 24 * deg);
   settings.closure.tan_delta = s.friction ? std::tan(24 * deg) : 0;
   settings.closure.curvature = s.curvature;

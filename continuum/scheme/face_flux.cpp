@@ -52,7 +52,7 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
 #pragma omp simd
     for (int i = 0; i < axis.faces_i; ++i) {
       const int r = begin + i, l = r - step;
-      const double kl = built::earth_pressure ? k[l] : 1.0, kr = built::earth_pressure ? k[r] : 1.0;
+      const double kl = elastic ? k[l] : 1.0, kr = elastic ? k[r] : 1.0;
       const double gl = kl * weight[i], gr = kr * weight[i];
       const double hl = h_hi[l], hr = h_lo[r];
       double over_l = hl, over_r = hr;
@@ -68,7 +68,7 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
             resistance(un_hi[l] - un_lo[r], smaller(over_l, over_r), smaller(std::sqrt(gl * over_l), std::sqrt(gr * over_r)),
                        stiffness, weight[i], smaller(passive[l], passive[r]), larger(passive[l], passive[r]));
       }
-      const double m = n.mass * larger(loose[l], loose[r]);
+      const double m = one_flux ? n.mass : n.mass * larger(loose[l], loose[r]);
       mass[r] = m;
       tangent[r] = m * (m > 0 ? ut_hi[l] : ut_lo[r]);
       normal[r] = n.momentum;

@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -96,6 +97,31 @@ class CommandLine(unittest.TestCase):
             self.expect(couloir("plan", SMALL, env={**os.environ, "COULOIR_ISA": word}), 2, word, "baseline, avx2 or avx512")
         plan = json.loads(couloir("plan", SMALL, "--json", env={**os.environ, "COULOIR_ISA": "baseline"}).stdout)
         self.assertEqual(plan["continuum"]["instruction_set"], "baseline")
+
+    def beside(self, flow_rate):
+        """The program in a folder of its own, with or without a program flow_rate that prints this."""
+        program = self.dir / "couloir"
+        shutil.copy(COULOIR, program)
+        if flow_rate:
+            (self.dir / "flow_rate").write_text(f"#!/bin/sh\ncat <<'END'\n{flow_rate}\nEND\n")
+            (self.dir / "flow_rate").chmod(0o755)
+        return program
+
+    def test_bench_without_its_program(self):
+        done = subprocess.run([self.beside(None), "bench"], capture_output=True, text=True)
+        self.expect(done, 2, "./couloir bench", "libbenchmark-dev", "flow_rate")
+
+    def test_bench_prints_what_its_program_measured(self):
+        cases = [{"name": "effect/all/min_time:0.4/manual_time", "best": 7.25e7, "rate": 7e7, "bytes_per_cell": 141.5, "stepped_per_wet": 1},
+                 {"name": "wet/1:64/manual_time", "best": 5e7, "rate": 4e7, "bytes_per_cell": 133, "stepped_per_wet": 6},
+                 {"name": "stream/24kB", "best": 1.5e11, "rate": 1e11}]
+        program = self.beside(json.dumps({"context": {"instruction_set": "avx2"}, "benchmarks": cases}))
+        table = subprocess.run([program, "bench"], capture_output=True, text=True).stdout
+        for line in (r"instructions avx2", r"all +72\.5 +70\.0 +141\.5 bytes a cell\n", r"1:64 .*6\.00 cells stepped", r"24kB +150\.0 +100\.0 GB/s\n"):
+            self.assertRegex(table, line)
+        found = json.loads(subprocess.run([program, "bench", "--json"], capture_output=True, text=True).stdout)
+        self.assertEqual(found["cases"][0], {"group": "effect", "name": "all", "best": 7.25e7, "mean": 7e7, "bytes_per_cell": 141.5,
+                                             "stepped_per_wet": 1})
 
     def test_a_report_of_no_run(self):
         self.expect(couloir("report", self.dir), 2, "is not a run folder")
