@@ -3,6 +3,7 @@
 //
 //   Solver (solver.hpp)              central upwind; has the covered zone of the coupled mode
 //   NocSolver (noc/noc_solver.hpp)   the staggered non-oscillatory central scheme
+//   NestedNoc (noc/nested_noc.hpp)   the same on nested, locally refined grids
 
 #include <array>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include "continuum/flow/closure.hpp"
 #include "continuum/flow/flow_state.hpp"
 #include "continuum/mesh/grid.hpp"
+#include "continuum/mesh/refinement.hpp"
 #include "continuum/scheme/budget.hpp"
 #include "continuum/scheme/limiter.hpp"
 
@@ -28,6 +30,7 @@ struct SolverSettings {
   double dry_depth = 1e-7;      // [m] below it a cell carries mass but no momentum
   int block = 32;               // cells along a block's edge; central upwind only
   int threads = 1;
+  Refinement refinement;  // empty: one uniform grid
 };
 
 class FlowModel {
@@ -43,6 +46,15 @@ class FlowModel {
   virtual void set(int i, int j, const FlowState&) = 0;
   virtual FlowState at(int i, int j) const = 0;
   virtual void gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const = 0;  // [j * nx + i]
+  // The finest cells at their centres, where those lie in the rectangle, row by row; along an axis on which none does, those that
+  // hold its middle. Nearest to the domain where it lies beyond.
+  struct Sample {
+    double x, y;
+    FlowState q;
+  };
+  virtual void for_finest(double x0, double x1, double y0, double y1, const std::function<void(const Sample&)>&) const;
+  // Bilinear between the four nearest centres of the finest grid that holds the point; beyond the last centres as on them.
+  virtual FlowState interpolated(double x, double y) const;
   virtual double volume() const = 0;                   // [m3] summed in a fixed order
   virtual std::array<double, 2> momentum() const = 0;  // [m4/s]
   virtual double min_depth() const = 0;                // [m] least depth met so far in an active cell, before any clipping
