@@ -59,6 +59,7 @@ NocSolver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, 
       terrain(s.grid, surface, bed, s.gravity, s.closure.curvature),
       centres(Lattice::Kind::centres, settings, own, terrain),
       corners(Lattice::Kind::corners, settings, own, terrain),
+      wet(s.grid.nx, s.grid.ny),
       impulse(bed.obstacles.size()) {
   lay_lines();
   for (int side = 0; side < 4; ++side) {
@@ -151,7 +152,7 @@ void NocSolver::gather(std::vector<double>& h, std::vector<double>& hu, std::vec
   h.clear(), hu.clear(), hv.clear();
   for (int j = 0; j < g.ny; ++j) {
     const int begin = impl_->centres.at(0, j);
-    const Fields& q = impl_->centres.q;
+    const noc::Three& q = impl_->centres.q;
     h.insert(h.end(), &q.h[begin], &q.h[begin] + g.nx);
     hu.insert(hu.end(), &q.hu[begin], &q.hu[begin] + g.nx);
     hv.insert(hv.end(), &q.hv[begin], &q.hv[begin] + g.nx);
