@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What each effect of the continuum costs: runs the programs of effects_rate.cpp in turn and prints the table of docs/results/effects.md.
+"""What each effect of the continuum costs: runs the programs of effects_rate.cpp in turn and prints the table of docs/performance.md.
 
     cmake --build build/release --target effects_rate effects_rate_bare effects_rate_no_curvature
     bench/effects.py [rounds]          # 9 unless told; some 20 s each

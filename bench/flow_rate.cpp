@@ -135,12 +135,13 @@ void add_effects() {
 }
 
 void add_sizes() {
-  for (const int n : {64, 128, 256, 512, 1024}) {
-    Scene s = all_physics();
-    s.nx = 2 * n, s.ny = n;
-    const std::string size = std::to_string(s.nx) + "x" + std::to_string(s.ny);
-    add("size/" + size, s);
-    add_bare_kernel("size_bare_kernel/" + size, s.nx, s.ny);
+  for (const bool bare : {false, true}) {
+    for (const int n : {64, 128, 256, 512, 1024}) {
+      Scene s = all_physics();
+      s.nx = 2 * n, s.ny = n;
+      const std::string size = std::to_string(s.nx) + "x" + std::to_string(s.ny);
+      bare ? add_bare_kernel("size_bare_kernel/" + size, s.nx, s.ny) : add("size/" + size, s);
+    }
   }
 }
 
