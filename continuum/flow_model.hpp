@@ -3,6 +3,7 @@
 //
 //   Solver (solver.hpp)              central upwind; has the covered zone of the coupled mode
 //   NocSolver (noc/noc_solver.hpp)   the staggered non-oscillatory central scheme
+//   NestedNoc (noc/nested_noc.hpp)   the same on nested, locally refined grids
 
 #include <array>
 #include <cstdint>
@@ -56,6 +57,15 @@ class FlowModel {
   virtual void gather_block(int, std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const {
     h.clear(), hu.clear(), hv.clear();
   }
+  // The finest cells at their centres, where those lie in the rectangle, row by row; along an axis on which none does, those that
+  // hold its middle. Nearest to the domain where it lies beyond.
+  struct Sample {
+    double x, y;
+    FlowState q;
+  };
+  virtual void for_finest(double x0, double x1, double y0, double y1, const std::function<void(const Sample&)>&) const;
+  // Bilinear between the four nearest centres of the finest grid that holds the point; beyond the last centres as on them.
+  virtual FlowState interpolated(double x, double y) const;
   virtual double volume() const = 0;                   // [m3] summed in a fixed order
   virtual std::array<double, 2> momentum() const = 0;  // [m4/s]
   virtual double min_depth() const = 0;                // [m] least depth met so far in an active cell, before any clipping

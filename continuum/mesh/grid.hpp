@@ -1,6 +1,8 @@
 #pragma once
 // The uniform grid of cells, and a rectangle of them.
 
+#include <cmath>
+
 namespace couloir {
 
 struct Grid {
@@ -21,5 +23,21 @@ struct CellBox {
   bool contains(int i, int j) const { return i >= i0 && i < i1 && j >= j0 && j < j1; }
   bool empty() const { return i1 <= i0 || j1 <= j0; }
 };
+
+// The cells, of an endless grid, whose centres lie in the rectangle; along an axis on which none does, those that hold its
+// middle.
+inline CellBox centres_in(const Grid& g, double x0, double x1, double y0, double y1) {
+  const double slack = 1e-9 * (g.dx + g.dy);
+  const auto range = [&](double low, double high, double origin, double size, int& begin, int& end) {
+    const int first = static_cast<int>(std::ceil((low - slack - origin) / size - 0.5));
+    const int last = static_cast<int>(std::floor((high + slack - origin) / size - 0.5));
+    begin = first <= last ? first : static_cast<int>(std::floor((0.5 * (low + high) - origin) / size));
+    end = first <= last ? last + 1 : begin + 1;
+  };
+  CellBox box;
+  range(x0, x1, g.x0, g.dx, box.i0, box.i1);
+  range(y0, y1, g.y0, g.dy, box.j0, box.j1);
+  return box;
+}
 
 }  // namespace couloir

@@ -119,6 +119,8 @@ struct NocSolver::Impl {
   void find_wet(const CellBox& cells);
   void collect(const std::vector<RowSums>&);
   void check_finite() const;  // throws NumericsError
+  void replace(const CellBox& cells, const std::function<FlowState(int i, int j)>& state);
+  void count_forces_in(const CellBox& cells, const std::vector<CellBox>& others);
   void put(int i, int j, const FlowState&);
   FlowState get(int i, int j) const;
 
@@ -137,6 +139,7 @@ struct NocSolver::Impl {
   std::vector<RowSums> first;          // of the half step to the corners, booked when the pair stands
 
   std::vector<std::array<double, 2>> impulse;
+  std::vector<std::vector<char>> own_push;  // by obstacle and its quarter points: 1: counts for the impulse; empty: all do
   std::vector<Gauge> gauges;
   std::vector<noc::ControlBox> boxes;
   Budget budget;

@@ -25,6 +25,7 @@ void check(const SolverSettings& s, const NocSettings& own, const ReferenceSurfa
   require(s.cfl > 0 && s.cfl <= 0.5,
           "The CFL number of the scheme noc must be above 0 and at most 0.5, equation (3.22); lower continuum.cfl.");
   require(s.dry_depth > 0, "The dry depth must be positive; correct the settings.");
+  require(s.refinement.empty(), "One grid of the scheme noc has no refined boxes; use nested grids.");
   require(s.threads >= 1, "The continuum needs at least one thread; correct the number of threads.");
   require(own.creeping_froude >= 0, "The Froude number of creep must not be negative; correct the settings.");
   require(s.closure.tan_delta >= 0, "The basal friction must not be negative; correct the material.");
@@ -155,6 +156,14 @@ void NocSolver::gather(std::vector<double>& h, std::vector<double>& hu, std::vec
     hu.insert(hu.end(), &q.hu[begin], &q.hu[begin] + g.nx);
     hv.insert(hv.end(), &q.hv[begin], &q.hv[begin] + g.nx);
   }
+}
+
+void NocSolver::replace(const CellBox& cells, const std::function<FlowState(int i, int j)>& state) {
+  impl_->replace(cells, state);
+}
+
+void NocSolver::count_forces_in(const CellBox& cells, const std::vector<CellBox>& others) {
+  impl_->count_forces_in(cells, others);
 }
 
 double NocSolver::volume() const {

@@ -1,6 +1,6 @@
 #pragma once
 // The dissertation's scheme: the staggered non-oscillatory central scheme (Nessyahu and Tadmor 1990; Jiang and Tadmor 1998) for
-// (2.87)-(2.92), equations (3.2)-(3.23), on one uniform grid.
+// (2.87)-(2.92), equations (3.2)-(3.23), on one uniform grid; nested_noc.hpp puts several into each other.
 //
 //   a step = two half steps:   cell centres --(3.8), (3.12)--> corners --(3.8), (3.12)--> cell centres
 //
@@ -53,8 +53,13 @@ class NocSolver final : public FlowModel {
   std::vector<std::uint8_t> checkpoint() const override;
   void restore(const std::vector<std::uint8_t>&) override;
 
- private:
+  // For nested grids. Other states for cells, which no flux brought: booked as copied, and no control box takes them for a push.
+  void replace(const CellBox&, const std::function<FlowState(int i, int j)>&);
+  // From now on obstacle_impulse() counts what lies in these cells and in none of the others; the budget counts all.
+  void count_forces_in(const CellBox&, const std::vector<CellBox>& others);
   void set_time(double t) override;
+
+ private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

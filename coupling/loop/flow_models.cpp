@@ -1,5 +1,6 @@
 #include "coupling/loop/flow_models.hpp"
 
+#include "continuum/noc/nested_noc.hpp"
 #include "continuum/noc/noc_solver.hpp"
 #include "continuum/planes/planes_model.hpp"
 #include "continuum/solver.hpp"
@@ -20,7 +21,10 @@ std::unique_ptr<FlowModel> flow_model(const Scene& scene, const ReferenceSurface
   settings.threads = threads;
   const int planes = planes_obstacle(scene);
   if (planes >= 0) return std::make_unique<PlanesModel>(settings, surface, bed, planes, scene.obstacles[planes].eta);
-  if (scene.continuum.scheme == "noc") return std::make_unique<NocSolver>(settings, surface, noc_bed(scene));
+  if (scene.continuum.scheme == "noc") {
+    if (settings.refinement.empty()) return std::make_unique<NocSolver>(settings, surface, noc_bed(scene));
+    return std::make_unique<NestedNoc>(settings, surface, noc_bed(scene));
+  }
   return std::make_unique<Solver>(settings, surface, bed);
 }
 

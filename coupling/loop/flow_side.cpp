@@ -101,6 +101,8 @@ void FlowSide::report(WindowReport& w) {
   // Inflow sides and all others apart: what goes out downstream is no smaller inflow.
   inflow_mass_ += density_ * b.mass_inflow;
   boundary_mass_ += density_ * (b.mass_boundary - b.mass_inflow);
+  copied_mass_ += density_ * b.mass_copied;
+  w.mass.copied += copied_mass_;
   w.mass.initial += initial_mass_;
   w.mass.continuum = density_ * model_->volume();
   w.mass.left_domain += std::max(0.0, -boundary_mass_) + std::max(0.0, -inflow_mass_);
@@ -110,6 +112,7 @@ void FlowSide::report(WindowReport& w) {
   w.momentum.boundary += density_ * b.boundary[0];
   w.momentum.obstacles += density_ * b.obstacles[0];
   w.momentum.faces += density_ * b.zone[0];
+  w.momentum.copied += density_ * b.copied[0];
   const double now = momentum();
   w.momentum.storage += now - momentum_before_;
   momentum_before_ = now;

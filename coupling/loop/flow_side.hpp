@@ -60,7 +60,7 @@ class FlowSide {
   std::vector<std::vector<Cell>> top_;  // by obstacle: the cells of its top
   std::optional<ForceMeasures> measures_;
   std::vector<double> h_, hu_, hv_;
-  double initial_mass_ = 0, boundary_mass_ = 0, inflow_mass_ = 0, momentum_before_ = 0, cpu_ = 0;
+  double initial_mass_ = 0, boundary_mass_ = 0, inflow_mass_ = 0, copied_mass_ = 0, momentum_before_ = 0, cpu_ = 0;
 };
 
 }  // namespace couloir

@@ -8,8 +8,8 @@
 namespace couloir {
 
 // A point: bilinear between the four nearest cell centres (depth and momentum; the velocity is their ratio); beyond the last
-// centres as on them. A rectangle: the deepest cell whose centre is in it. In a zone the cells hold what the grains are on the
-// mean. Up to the depth thin [m] the velocity is 0.
+// centres as on them. A rectangle: the deepest cell whose centre is in it. On refined grids: of the finest. In a zone the cells
+// hold what the grains are on the mean. Up to the depth thin [m] the velocity is 0.
 GaugeReading read_gauge(const FlowModel&, const GaugeSpec&, double thin);
 
 }  // namespace couloir

@@ -163,7 +163,8 @@ void Summary::on_finish(const RunEnd& end) {
                       {"steps", last_.solver_steps},
                       {"cell_updates", last_.cell_updates},
                       {"cell_updates_per_second", rate(double(last_.cell_updates), end.cpu_continuum, end.wall)},
-                      {"min_depth", has_continuum_ && std::isfinite(min_depth_) ? Json(min_depth_) : Json()}};
+                      {"min_depth", has_continuum_ && std::isfinite(min_depth_) ? Json(min_depth_) : Json()},
+                      {"refinement_drift", last_.mass.copied}};
   out["grains"] = {{"inserted", last_.inserted},
                    {"returned", last_.returned},
                    {"peak_count", std::max(peak_grains_, end.peak_grains)},

@@ -7,7 +7,8 @@
 //   mass      .initial, .final, .left_domain, .entered, .overtopped [kg]; .relative_error, the largest of all windows
 //             final: what is still in the domain: continuum + grains + faces + airborne
 //   momentum  .relative_residual: largest |residual| / scale of all windows
-//   continuum .cells, .steps, .cell_updates, .cell_updates_per_second (of cpu_continuum), .min_depth [m] (null: no continuum)
+//   continuum .cells, .steps, .cell_updates, .cell_updates_per_second (of cpu_continuum), .min_depth [m] (null: no continuum),
+//             .refinement_drift [kg]: what plain copying between refined grids has won (noc); not part of mass.relative_error
 //   grains    .inserted, .returned, .peak_count, .steps, .particle_steps, .particle_steps_per_second (of cpu_engine),
 //             .max_overlap
 //   obstacles.<name> .force_peak, .force_peak_time, .force_peak_window, .force_mean, .force_final, .first_contact (null: never),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "continuum/noc/nested_noc.hpp"
 #include "continuum/solver.hpp"
 
 namespace couloir {
@@ -34,6 +35,26 @@ TEST(Gauge, ThinFlowHasNoVelocity) {
   const double depth = read_gauge(flow, {"p", 0.5, 0.02, 0, 0}, 1).depth;
   EXPECT_EQ(read_gauge(flow, {"p", 0.5, 0.02, 0, 0}, depth).velocity_along, 0);
   EXPECT_GT(read_gauge(flow, {"p", 0.5, 0.02, 0, 0}, 0.999 * depth).velocity_along, 0);
+}
+
+// On refined grids the finest cells are read, the others where those are not.
+TEST(Gauge, ReadsTheFinestCells) {
+  SolverSettings settings;
+  settings.grid = {20, 20, 0.1, 0.1, 0, -1};
+  settings.refinement.boxes.push_back({0.8, 1.2, -0.2, 0.2, 1, 0});
+  NestedNoc flow(settings, ReferenceSurface::flat(2), {});
+  flow.set([](double x, double y) { return FlowState{1 + x * x + 0.1 * y, 0, 0}; });
+  const auto depth = [&](double x, double y, double length, double width) {
+    return read_gauge(flow, {"g", x, y, length, width}, 1e-6).depth;
+  };
+  EXPECT_NEAR(depth(0.9, 0, 0.2, 0.1), 1 + 1.075 * 1.075 + 0.0025, 1e-12);
+  EXPECT_NEAR(depth(0.3, 0, 0.2, 0.1), 1 + 0.45 * 0.45 + 0.005, 1e-12);
+  EXPECT_NEAR(depth(0.7, 0, 0.4, 0.1), 1 + 1.075 * 1.075 + 0.0025, 1e-12) << "over the patch's edge";
+  EXPECT_NEAR(depth(0.7, 0, 0.08, 0.1), 1 + 0.75 * 0.75 + 0.005, 1e-12) << "beside the patch";
+  EXPECT_NEAR(depth(1.01, 0.01, 0.002, 0.002), 1 + 1.025 * 1.025 + 0.0025, 1e-12) << "within one cell";
+  EXPECT_NEAR(depth(1.025, 0.025, 0, 0), 1 + 1.025 * 1.025 + 0.0025, 1e-12);
+  EXPECT_NEAR(depth(0.45, 0.05, 0, 0), 1 + 0.45 * 0.45 + 0.005, 1e-12);
+  EXPECT_NEAR(depth(5, 0.06, 0.1, 0), 1 + 1.95 * 1.95 + 0.005, 1e-12) << "beyond the domain";
 }
 
 }  // namespace

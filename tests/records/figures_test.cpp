@@ -87,6 +87,7 @@ TEST(Summary, HoldsTheKeysOfTheContract) {
                           "/continuum/cell_updates",
                           "/continuum/cell_updates_per_second",
                           "/continuum/min_depth",
+                          "/continuum/refinement_drift",
                           "/grains/inserted",
                           "/grains/returned",
                           "/grains/peak_count",
