@@ -1,17 +1,24 @@
-// The corrector (3.12): each point gathers four shares, then friction.
+// The corrector (3.12) point by point: on the domain's sides, and for those who count. receive.cpp has the inner loops.
 
 #include <algorithm>
-#include <cmath>
 
-#include "continuum/flow/flux.hpp"
 #include "continuum/noc/noc_impl.hpp"
+#include "continuum/scheme/effects.hpp"
 
 namespace couloir {
 
 using noc::length;
-using noc::Push;
-using noc::share;
-using noc::share_depth;
+using noc::Part;
+
+noc::Drag NocSolver::Impl::drag() const {
+  const double mu = settings.closure.tan_delta;
+  return {mu, settings.dry_depth, built::friction && mu > 0, built::curvature && terrain.curved()};
+}
+
+noc::Ground NocSolver::Impl::ground(int k, int l) const {
+  const noc::Gradient bed = built::relief ? terrain.slope(k, l) : noc::Gradient{};
+  return {terrain.weight(k), terrain.drive(k), built::curvature ? terrain.kappa(k) : 0.0, bed.x, bed.y};
+}
 
 // Column (row) `corner` of the corners has the cells corner - 1 and corner as givers: which = 0, 1.
 NocSolver::Impl::Line NocSolver::Impl::line(int corner, int which, int cells, int low_side) const {
@@ -35,7 +42,7 @@ NocSolver::Impl::Line NocSolver::Impl::line(int corner, int which, int cells, in
 NocSolver::Impl::Giver NocSolver::Impl::giver(int i, int j, int a, int b) const {
   Line x = lines_x[2 * i + a], y = lines_y[2 * j + b];
   const int c = centres.at(x.index, y.index);
-  const Point& p = centres.points[c];
+  const Point p = centres.point(c);
   // Beyond an outflow: the last cell again while it flows out, now and at the half time; else a wall, so that nothing comes in.
   const auto close = [](Line& l, double now, double half) {
     const double outward = l.outflow % 2 == 0 ? -1 : 1;
@@ -43,7 +50,8 @@ NocSolver::Impl::Giver NocSolver::Impl::giver(int i, int j, int a, int b) const 
   };
   if (x.outflow >= 0) close(x, p.q.hu, p.half.hu);
   if (y.outflow >= 0) close(y, p.q.hv, p.half.hv);
-  Giver g{&p,
+  Giver g{p,
+          c,
           x.corner,
           y.corner,
           x.flip,
@@ -51,9 +59,9 @@ NocSolver::Impl::Giver NocSolver::Impl::giver(int i, int j, int a, int b) const 
           2 * x.index + (x.corner > 0),
           2 * y.index + (y.corner > 0),
           x.inside && y.inside,
-          centres.locked[c] != 0};
+          centres.locked[c]};
   const int side = x.inflow >= 0 ? x.inflow : y.inflow;
-  if (side >= 0) g.p = &inflow[side], g.locked = settings.sides[side].depth < settings.dry_depth;
+  if (side >= 0) g.p = inflow[side], g.source = -1, g.locked = settings.sides[side].depth < settings.dry_depth;
   return g;
 }
 
@@ -83,55 +91,22 @@ bool NocSolver::Impl::on_open_side(int i, int j) const {
   return false;
 }
 
-bool NocSolver::Impl::counted(int i, int j) const {
-  const Grid& g = settings.grid;
-  return !(i == g.nx && settings.sides[0].kind == Side::Kind::periodic) &&
-         !(j == g.ny && settings.sides[2].kind == Side::Kind::periodic);
-}
-
-NocSolver::Impl::Settled NocSolver::Impl::settle(const Gathered& got) const {
-  const auto& [h, hu, hv] = got.sum;
-  const Push& all = got.all;
-  Settled s;
-  const double momentum = length(hu, hv);
-  if (!got.held && momentum > all.brake) {
-    // As (3.10) has it; and no larger than what it brakes, so that nothing is turned round.
-    s.hu = hu - (all.along_x + all.still * (hu / momentum));
-    s.hv = hv - (all.along_y + all.still * (hv / momentum));
-  }
-  s.friction = {s.hu - hu, s.hv - hv};
-  if (h < settings.dry_depth) {
-    s.cutoff = {-s.hu, -s.hv};
-    s.hu = s.hv = 0;
-  } else if (const double speed = length(s.hu, s.hv) / h; speed > got.reach) {
-    const double lost = got.reach / speed - 1;
-    s.cutoff = {lost * s.hu, lost * s.hv};
-    s.hu += s.cutoff[0], s.hv += s.cutoff[1];
-  }
-  return s;
-}
-
 // Of a corner on a side: what friction took from the part inside; the wall gets the rest. Where all is held, friction carries the
 // weight before the wall does: what stands still at a wall pushes it with its pressure alone.
-std::array<double, 2> NocSolver::Impl::friction_inside(const Settled& s, const Gathered& got, const Push& in, double portion) {
-  const double momentum = length(got.sum.hu, got.sum.hv);
-  if (!got.held && momentum > got.all.brake)
-    return {-(in.along_x + in.still * (got.sum.hu / momentum)), -(in.along_y + in.still * (got.sum.hv / momentum))};
-  const auto rest = [&](int k, double inside, double total) {
-    return portion * s.friction[k] - std::clamp(inside - portion * total, -in.brake, in.brake);
+std::array<double, 2> NocSolver::Impl::friction_inside(const Settled& s, const Gathered& got, const Part& in, double portion) {
+  const double momentum = length(got.hu(), got.hv());
+  if (noc::moves(got.all, momentum, got.held > 0)) {
+    return {-(in.along_x + in.still * (got.hu() / momentum)), -(in.along_y + in.still * (got.hv() / momentum))};
+  }
+  const auto rest = [&](double friction, double inside, double total) {
+    return portion * friction - std::clamp(inside - portion * total, -in.brake, in.brake);
   };
-  return {rest(0, in.x, got.all.x), rest(1, in.y, got.all.y)};
+  return {rest(s.friction_x, in.x, got.all.x), rest(s.friction_y, in.y, got.all.y)};
 }
 
 // Pairs across y first, then across x: mirrored scenes give mirrored bits.
 void NocSolver::Impl::Gathered::add_up() {
-  const auto four = [](const auto& value) { return (value(0, 0) + value(0, 1)) + (value(1, 0) + value(1, 1)); };
-  const auto total = [&](double Push::*member) { return four([&](int a, int b) { return push[a][b].*member; }); };
-  all.x = total(&Push::x), all.y = total(&Push::y), all.brake = total(&Push::brake), all.still = total(&Push::still);
-  all.along_x = total(&Push::along_x), all.along_y = total(&Push::along_y);
-  sum.h = four([&](int a, int b) { return share[a][b].h; });
-  sum.hu = four([&](int a, int b) { return share[a][b].hu; }) + all.x;
-  sum.hv = four([&](int a, int b) { return share[a][b].hv; }) + all.y;
+  all = (part[0][0] + part[0][1]) + (part[1][0] + part[1][1]);
 }
 
 NocSolver::Impl::Gathered NocSolver::Impl::gather_corner(int i, int j, double tau) const {
@@ -139,18 +114,13 @@ NocSolver::Impl::Gathered NocSolver::Impl::gather_corner(int i, int j, double ta
   for (int a : {0, 1}) {
     for (int b : {0, 1}) {
       const Giver g = giver(i, j, a, b);
-      FlowState& s = got.share[a][b];
-      s = share(*g.p, g.cx, g.cy);
-      s.hu *= g.flip_x, s.hv *= g.flip_y;
-      const bool given = g.p < centres.points.data() || g.p >= centres.points.data() + centres.points.size();
-      if (!given) {
-        Push& f = got.push[a][b];
-        f = push(*g.p, terrain, g.k, g.l, g.cx, g.cy, settings.closure.tan_delta, settings.dry_depth, tau);
-        f.x *= g.flip_x, f.along_x *= g.flip_x;
-        f.y *= g.flip_y, f.along_y *= g.flip_y;
-      }
-      got.reach = std::max(got.reach, g.p->reach);
-      got.held = got.held && g.locked;
+      Part& p = got.part[a][b];
+      p = part_of(g.p, ground(g.k, g.l), drag(), g.cx, g.cy, tau);
+      if (g.source < 0) p = {p.h, p.hu, p.hv};  // what comes in has no weight yet
+      p.hu *= g.flip_x, p.x *= g.flip_x, p.along_x *= g.flip_x;
+      p.hv *= g.flip_y, p.y *= g.flip_y, p.along_y *= g.flip_y;
+      got.reach = std::max(got.reach, g.p.reach);
+      got.held *= g.locked;
       got.inside[a][b] = g.inside;
     }
   }
@@ -162,40 +132,32 @@ void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
   const Gathered got = gather_corner(i, j, tau);
   const Settled s = settle(got);
   const int c = corners.at(i, j);
-  corners.q.h[c] = got.sum.h, corners.q.hu[c] = s.hu, corners.q.hv[c] = s.hv;
+  corners.q.h[c] = got.all.h, corners.q.hu[c] = s.hu, corners.q.hv[c] = s.hv;
   corners.locked[c] = got.held;
 
-  if (!counted(i, j)) return;
-  double in_hu = 0, in_hv = 0;
-  Push in;  // of those inside
+  Part in;  // of those inside
   int inside = 0;
   for (int a : {0, 1}) {
     for (int b : {0, 1}) {
-      if (!got.inside[a][b]) continue;
-      ++inside;
-      const Push& f = got.push[a][b];
-      in_hu += got.share[a][b].hu, in_hv += got.share[a][b].hv, in.x += f.x, in.y += f.y;
-      in.brake += f.brake, in.along_x += f.along_x, in.along_y += f.along_y, in.still += f.still;
+      if (got.inside[a][b]) in = in + got.part[a][b], ++inside;
     }
   }
   const double portion = 0.25 * inside;
-  const auto friction = inside == 4 ? s.friction : friction_inside(s, got, in, portion);
+  const auto friction = friction_inside(s, got, in, portion);
   Budget& book = sums.budget;
   book.gravity[0] += in.x, book.gravity[1] += in.y;
-  for (int k : {0, 1}) book.friction[k] += friction[k], book.cutoff[k] += portion * s.cutoff[k];
+  book.friction[0] += friction[0], book.friction[1] += friction[1];
+  book.cutoff[0] += portion * s.cutoff_x, book.cutoff[1] += portion * s.cutoff_y;
   // What a corner on a side got from inside went out; what it gives back comes in with the other half step.
-  if (on_side(i, j)) {
-    book_side(i, j, -(in_hu + in.x + friction[0] + portion * s.cutoff[0]), -(in_hv + in.y + friction[1] + portion * s.cutoff[1]),
-              book);
-  }
-  sums.note(got.sum.h, s.hu, s.hv);
+  book_side(i, j, -(in.hu + in.x + friction[0] + portion * s.cutoff_x), -(in.hv + in.y + friction[1] + portion * s.cutoff_y),
+            book);
+  sums.note(got.all.h, s.hu, s.hv);
 }
 
 double NocSolver::Impl::share_to_centre(int i, int j, int a, int b) const {
   const double cx = a == 0 ? 1 : -1, cy = b == 0 ? 1 : -1;
   const int n = corners.at(i + a, j + b);
-  // A locked corner gives back what it got.
-  return corners.locked[n] ? share_depth(centres.points[centres.at(i, j)], -cx, -cy) : share_depth(corners.points[n], cx, cy);
+  return noc::share_back(corners.point(n), centres.point(centres.at(i, j)), corners.locked[n], cx, cy);
 }
 
 NocSolver::Impl::Gathered NocSolver::Impl::gather_centre(int i, int j, double tau) const {
@@ -204,34 +166,25 @@ NocSolver::Impl::Gathered NocSolver::Impl::gather_centre(int i, int j, double ta
     for (int b : {0, 1}) {
       const double cx = a == 0 ? 1 : -1, cy = b == 0 ? 1 : -1;
       const int n = corners.at(i + a, j + b);
-      const Point& p = corners.points[n];
-      got.share[a][b] = share(p, cx, cy);
-      got.share[a][b].h = share_to_centre(i, j, a, b);
-      got.push[a][b] = push(p, terrain, 2 * i + a, 2 * j + b, cx, cy, settings.closure.tan_delta, settings.dry_depth, tau);
+      const Point p = corners.point(n);
+      got.part[a][b] = part_of(p, ground(2 * i + a, 2 * j + b), drag(), cx, cy, tau);
+      got.part[a][b].h = share_to_centre(i, j, a, b);
       got.reach = std::max(got.reach, p.reach);
-      got.held = got.held && corners.locked[n];
+      got.held *= corners.locked[n];
     }
   }
   got.add_up();
-  if (got.held) got.sum.h = centres.q.h[centres.at(i, j)];
+  if (got.held > 0) got.all.h = centres.q.h[centres.at(i, j)];
   return got;
 }
 
-void NocSolver::Impl::update_centre(int i, int j, double tau, RowSums& sums) {
+void NocSolver::Impl::book_centre(int i, int j, double tau, RowSums& sums) const {
   const Gathered got = gather_centre(i, j, tau);
-  const Settled s = settle(got);
-  const int c = centres.at(i, j);
-  centres.q.h[c] = got.sum.h, centres.q.hu[c] = s.hu, centres.q.hv[c] = s.hv;
-
-  Budget& book = sums.budget;
   for (int a : {0, 1}) {
     for (int b : {0, 1}) {
-      if (on_side(i + a, j + b)) book_side(i + a, j + b, got.share[a][b].hu, got.share[a][b].hv, book);
+      if (on_side(i + a, j + b)) book_side(i + a, j + b, got.part[a][b].hu, got.part[a][b].hv, sums.budget);
     }
   }
-  book.gravity[0] += got.all.x, book.gravity[1] += got.all.y;
-  for (int k : {0, 1}) book.friction[k] += s.friction[k], book.cutoff[k] += s.cutoff[k];
-  sums.note(got.sum.h, s.hu, s.hv);
 }
 
 }  // namespace couloir

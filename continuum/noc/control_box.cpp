@@ -22,7 +22,7 @@ struct Momentum {
   }
 };
 
-// Part of push() that no obstacle has a share in.
+// What pushes a quadrant and is no obstacle.
 Momentum weight(const Point& p, const Terrain& t, int k, int l, double cx, double cy, double tau) {
   const double h = quarter_depth(p, cx, cy), part = 0.25 * tau;
   const Gradient bed = t.ground(k, l);
@@ -58,16 +58,16 @@ void NocSolver::Impl::count_box_corner(const CellBox& box, int i, int j, double 
   const Gathered got = gather_corner(i, j, tau);
   const Settled s = settle(got);
   const Momentum weight = noc::over(inside, [&](int a, int b) {
-    const noc::Point& p = centres.points[centres.at(i - 1 + a, j - 1 + b)];
+    const Point p = centres.point(centres.at(i - 1 + a, j - 1 + b));
     return noc::weight(p, terrain, 2 * i - 1 + a, 2 * j - 1 + b, 1 - 2 * a, 1 - 2 * b, tau);
   });
   const double portion = 0.25 * count;
-  const Momentum friction{portion * (s.friction[0] + s.cutoff[0]), portion * (s.friction[1] + s.cutoff[1])};
+  const Momentum friction{portion * (s.friction_x + s.cutoff_x), portion * (s.friction_y + s.cutoff_y)};
   terms.weight[0] += weight.x, terms.weight[1] += weight.y;
   terms.friction[0] += friction.x, terms.friction[1] += friction.y;
   if (count == 4) return;
   const Momentum given = noc::over(inside, [&](int a, int b) {
-    return Momentum{got.share[a][b].hu + got.push[a][b].x, got.share[a][b].hv + got.push[a][b].y};
+    return Momentum{got.part[a][b].hu + got.part[a][b].x, got.part[a][b].hv + got.part[a][b].y};
   });
   terms.faces[0] -= given.x + friction.x, terms.faces[1] -= given.y + friction.y;
 }
@@ -83,31 +83,27 @@ void NocSolver::Impl::count_box_centre(const CellBox& box, int i, int j, double 
   const Gathered got = gather_centre(i, j, tau);
   const Settled s = settle(got);
   const Momentum weight = noc::over(all, [&](int a, int b) {
-    const noc::Point& p = corners.points[corners.at(i + a, j + b)];
+    const Point p = corners.point(corners.at(i + a, j + b));
     return noc::weight(p, terrain, 2 * i + a, 2 * j + b, 1 - 2 * a, 1 - 2 * b, tau);
   });
-  const Momentum back = noc::over(edge, [&](int a, int b) { return Momentum{got.share[a][b].hu, got.share[a][b].hv}; });
+  const Momentum back = noc::over(edge, [&](int a, int b) { return Momentum{got.part[a][b].hu, got.part[a][b].hv}; });
   terms.weight[0] += weight.x, terms.weight[1] += weight.y;
   terms.faces[0] += back.x, terms.faces[1] += back.y;
-  for (int k : {0, 1}) terms.friction[k] += s.friction[k] + s.cutoff[k];
+  terms.friction[0] += s.friction_x + s.cutoff_x, terms.friction[1] += s.friction_y + s.cutoff_y;
 }
 
 // The points that the half steps update, no others: what they do to a film beyond is dropped again.
-void NocSolver::Impl::count_boxes(const CellBox& cells, double tau) {
+void NocSolver::Impl::count_boxes(double tau) {
   const double area = settings.grid.dx * settings.grid.dy;
   for (noc::ControlBox& box : boxes) {
     const CellBox& own = box.cells;
-    const int i0 = std::max(own.i0, corner_box.i0), i1 = std::min(own.i1 + 1, corner_box.i1);
-    const int ci0 = std::max(own.i0, cells.i0), ci1 = std::min(own.i1, cells.i1);
     std::vector<BoxTerms> to_corners(own.j1 + 1 - own.j0), to_centres(own.j1 - own.j0);
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
     for (int j = own.j0; j <= own.j1; ++j) {
       const int row = j - own.j0;
-      if (j >= corner_box.j0 && j < corner_box.j1) {
-        for (int i = i0; i < i1; ++i) count_box_corner(own, i, j, tau, to_corners[row]);
-      }
-      if (j < own.j1 && j >= cells.j0 && j < cells.j1) {
-        for (int i = ci0; i < ci1; ++i) count_box_centre(own, i, j, tau, to_centres[row]);
+      for (int i = own.i0; i <= own.i1; ++i) {
+        if (corner_region.contains(i, j)) count_box_corner(own, i, j, tau, to_corners[row]);
+        if (own.contains(i, j) && near.contains(i, j)) count_box_centre(own, i, j, tau, to_centres[row]);
       }
     }
     BoxTerms sum = noc::sum_rows(to_corners);

@@ -10,13 +10,13 @@
 namespace couloir {
 
 double NocSolver::Impl::gain(int i, int j, int a, int b) const {
-  const noc::Point& giver = centres.points[centres.at(i, j)];
+  const Point giver = centres.point(centres.at(i, j));
   return share_to_centre(i, j, a, b) - noc::share_depth(giver, a == 0 ? -1 : 1, b == 0 ? -1 : 1);
 }
 
 // A corner on the side has cells on one hand only: what they get from it and did not give to it came in. Where an inflow meets
 // an outflow it is the inflow's. Periodic twins have the cells of either end.
-void NocSolver::Impl::count_sides(const CellBox& box) {
+void NocSolver::Impl::count_sides() {
   const Grid& g = settings.grid;
   double through = 0, through_inflow = 0;
   for (std::vector<double>& side : inflow_entered) std::fill(side.begin(), side.end(), 0.0);
@@ -41,9 +41,9 @@ void NocSolver::Impl::count_sides(const CellBox& box) {
       inflow_entered[side][side < 2 ? j : i] = sum;
     }
   };
-  for (int j = box.j0; j < box.j1; ++j) {
+  for (int j = near_corners.j0(); j < near_corners.j1(); ++j) {
     const bool whole_row = j == 0 || j == g.ny;
-    for (int i = box.i0; i < box.i1; ++i) {
+    for (int i = near_corners.begin(j); i < near_corners.end(j); ++i) {
       if ((whole_row || i == 0 || i == g.nx) && on_open_side(i, j)) count(i, j);
     }
   }
@@ -53,13 +53,13 @@ void NocSolver::Impl::count_sides(const CellBox& box) {
 
 // The exchange of a corner across the gauge's line: half of what the cells beyond gain less what those before it do. On the
 // domain's side only one of them is there. Gauges side by side add up.
-void NocSolver::Impl::count_gauges(const CellBox& box) {
+void NocSolver::Impl::count_gauges() {
   const Grid& g = settings.grid;
   for (Gauge& gauge : gauges) {
-    if (gauge.i < box.i0 || gauge.i >= box.i1) continue;
     const bool before = gauge.i > 0, beyond = gauge.i < g.nx;
     double sum = 0;
-    for (int j = std::max(gauge.j0, box.j0); j < std::min(gauge.j1, box.j1 - 1); ++j) {
+    for (int j = gauge.j0; j < gauge.j1; ++j) {
+      if (!near_corners.contains(gauge.i, j) || !near_corners.contains(gauge.i, j + 1)) continue;
       for (int b : {0, 1}) {
         const double in = beyond ? gain(gauge.i, j, 0, b) : 0.0, out = before ? gain(gauge.i - 1, j, 1, b) : 0.0;
         sum += before && beyond ? 0.5 * (in - out) : in - out;
@@ -71,7 +71,7 @@ void NocSolver::Impl::count_gauges(const CellBox& box) {
 
 // The sources count the push of the whole bed; the obstacles' part of it is theirs, on every quadrant that a receiver gets. Of a
 // nested grid's patch only a part of them counts for the impulse.
-void NocSolver::Impl::count_obstacles(const Lattice& givers, const CellBox& receivers, double tau) {
+void NocSolver::Impl::count_obstacles(const Lattice& givers, const Region& receivers, double tau) {
   using Push = std::array<double, 2>;
   const double part = 0.25 * tau * settings.grid.dx * settings.grid.dy;
   const int shift = &givers == &corners ? 1 : 0;  // quarter k belongs to centre k / 2 or corner (k + 1) / 2
@@ -92,7 +92,7 @@ void NocSolver::Impl::count_obstacles(const Lattice& givers, const CellBox& rece
       const int i = (q.k + shift) / 2, j = (q.l + shift) / 2;
       if (!receivers.contains((q.k + 1 - shift) / 2, (q.l + 1 - shift) / 2)) continue;
       const double cx = givers.quarter(i) == q.k ? -1 : 1, cy = givers.quarter(j) == q.l ? -1 : 1;
-      const double weight = terrain.weight(q.k) * noc::quarter_depth(givers.points[givers.at(i, j)], cx, cy);
+      const double weight = terrain.weight(q.k) * noc::quarter_depth(givers.point(givers.at(i, j)), cx, cy);
       const Push push{weight * q.slope.x, weight * q.slope.y};
       all[q.l][0] += push[0], all[q.l][1] += push[1];
       if (some && own_push[id][n]) own[q.l][0] += push[0], own[q.l][1] += push[1];

@@ -36,6 +36,7 @@ bool NocSolver::Impl::set_inflow(double at) {
   if (changed) {
     lay_lines();
     wet_inflow();
+    lay_regions();
   }
   return changed;
 }
@@ -53,10 +54,11 @@ void NocSolver::Impl::make_inflow(double tau) {
     const double lx = 0.5 * tau / settings.grid.dx, ly = 0.5 * tau / settings.grid.dy;
     Point p;
     p.q = p.half = {s.depth, s.depth * u, s.depth * v};
-    p.flux_x = {lx * f.mass, lx * f.mom_x, lx * f.mom_y};
-    p.flux_y = {ly * g.mass, ly * g.mom_x, ly * g.mom_y};
+    p.tilt_x = {lx * f.mass, lx * f.mom_x, lx * f.mom_y};
+    p.tilt_y = {ly * g.mass, ly * g.mom_x, ly * g.mom_y};
     p.reach = s.velocity + 2 * std::sqrt(std::max(k.x_active, k.y_active_active) * weight * s.depth);
-    p.keep = own_keep(p);
+    const double keep = own_keep(p);
+    for (FlowState* tilt : {&p.tilt_x, &p.tilt_y}) tilt->h *= keep, tilt->hu *= keep, tilt->hv *= keep;
     inflow[side] = p;
   }
 }
@@ -68,8 +70,7 @@ void NocSolver::Impl::wet_inflow() {
   for (int side = 0; side < 4; ++side) {
     const Side& s = settings.sides[side];
     if (s.kind != Side::Kind::inflow || s.depth < settings.dry_depth) continue;
-    const CellBox& b = edges[side];
-    wet = {std::min(wet.i0, b.i0), std::max(wet.i1, b.i1), std::min(wet.j0, b.j0), std::max(wet.j1, b.j1)};
+    for (int j = edges[side].j0; j < edges[side].j1; ++j) wet.add(j, edges[side].i0, edges[side].i1);
   }
 }
 
@@ -101,7 +102,8 @@ FlowState NocSolver::Impl::inflow_change(int side, int k, int cell, double dt) {
   std::vector<double>& owed = inflow_owed[side];
   const int n = static_cast<int>(owed.size());
   const auto entered = [&](int corner) { return (corner == 0 || corner == n ? 1.0 : 0.5) * inflow_entered[side][corner]; };
-  owed[k] += dt * mean_discharge(sides[side], time, time + dt) / (along_x ? settings.grid.dx : settings.grid.dy) - (entered(k) + entered(k + 1));
+  owed[k] += dt * mean_discharge(sides[side], time, time + dt) / (along_x ? settings.grid.dx : settings.grid.dy) -
+             (entered(k) + entered(k + 1));
 
   const Fields& q = centres.q;
   const int i = along_x ? (low ? 0 : settings.grid.nx - 1) : k, j = along_x ? k : (low ? 0 : settings.grid.ny - 1);

@@ -6,11 +6,14 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "continuum/noc/control_box.hpp"
 #include "continuum/noc/lattice.hpp"
 #include "continuum/noc/noc_solver.hpp"
+#include "continuum/noc/receive.hpp"
+#include "continuum/noc/region.hpp"
 #include "continuum/noc/share.hpp"
 
 namespace couloir {
@@ -25,12 +28,13 @@ struct NocSolver::Impl {
   };
   // One of the four shares of a corner, as the corner sees it; beyond a wall it is the mirror image of one inside.
   struct Giver {
-    const Point* p;
+    Point p;
+    int source;             // index of the centre; -1: an inflow
     double cx, cy;          // which of the giver's quadrants
     double flip_x, flip_y;  // -1: momentum turned
     int k, l;               // the quadrant's quarter point
     bool inside;            // of the domain
-    bool locked;
+    double locked;
   };
   // The part of it that depends on the column (row) alone.
   struct Line {
@@ -41,29 +45,16 @@ struct NocSolver::Impl {
   };
   // What a point gets from its four quadrants, [a][b]: a = 0 the lower one in x, b in y.
   struct Gathered {
-    FlowState share[2][2];
-    noc::Push push[2][2];
+    noc::Part part[2][2], all;
     bool inside[2][2] = {};  // of the domain; of corners only
-    FlowState sum;           // of the shares, with the pushes of gravity and bed
-    noc::Push all;
-    double reach = 0;
-    bool held = true;
+    double reach = 0, held = 1;
     void add_up();
+    double hu() const { return all.hu + all.x; }  // that all terms but friction give
+    double hv() const { return all.hv + all.y; }
   };
-  struct RowSums {  // per area of a cell
-    Budget budget;
-    double min_depth = std::numeric_limits<double>::infinity();
-    bool finite = true;
-    void note(double h, double hu, double hv) {
-      const double all = h + hu + hv;
-      min_depth = std::min(min_depth, h);
-      finite = finite && all - all == 0;
-    }
-  };
-  struct Settled {
-    double hu = 0, hv = 0;
-    std::array<double, 2> friction{}, cutoff{};  // what they took, with its sign
-  };
+  using RowSums = noc::RowSums;
+  using Settled = noc::Settled;
+  using Region = noc::Region;
 
   Impl(const SolverSettings&, const ReferenceSurface&, const NocBed&, const NocSettings&);
 
@@ -78,18 +69,35 @@ struct NocSolver::Impl {
   FlowState inflow_change(int side, int k, int cell, double dt);
   int inflows_at(int i, int j) const;  // inflow sides of a cell
   void add_inflow(int cell, const FlowState& change);
-  CellBox window(int margin) const;       // the wet cells and so many around them
+  void lay_regions();                     // around the wet cells
   bool half_step_to_corners(double tau);  // false: the CFL bound (3.22) would break on the corners
   void half_step_to_centres(double tau);
+  noc::Drag drag() const;
+  bool periodic(int axis) const { return settings.sides[2 * axis].kind == Side::Kind::periodic; }
+  // Of row j of these corners: those that inner loops can take; the others but for the upper ones of periodic twins.
+  std::pair<int, int> inner(const Region& corners, int j) const;
+  template <class F>
+  void for_outer(const Region& region, int j, F&& f) const {
+    const auto [low, high] = inner(region, j);
+    const int last = settings.grid.nx;
+    if (periodic(1) && j == settings.grid.ny) return;
+    for (int i = region.begin(j); i < std::min(low, region.end(j)); ++i) f(i);
+    for (int i = std::max(high, region.begin(j)); i < region.end(j); ++i) {
+      if (!(periodic(0) && i == last)) f(i);
+    }
+  }
+  void copy_twins(int j);  // of row j of the corners
 
   // Rest.
-  void find_locked(const CellBox& cells);
+  void find_locked();
   bool locked(int i, int j) const;
 
   // Positivity.
-  void limit_corners(const CellBox& corners);
-  void limit_centres(const CellBox& cells);
-  void limit(Point&);
+  void limit_corners();
+  void limit_centres();
+  double depth_at_corner(int i, int j) const;  // that it would get
+  double depth_at_centre(int i, int j) const;
+  void limit(Lattice&, int point);
   void limit_corner(int i, int j);
 
   Line line(int corner, int which, int cells, int low_side) const;
@@ -98,25 +106,24 @@ struct NocSolver::Impl {
   Gathered gather_corner(int i, int j, double tau) const;
   Gathered gather_centre(int i, int j, double tau) const;
   void update_corner(int i, int j, double tau, RowSums&);
-  void update_centre(int i, int j, double tau, RowSums&);
-  // Friction, film and speed bound on the momentum that the other terms would give.
-  Settled settle(const Gathered&) const;
-  static std::array<double, 2> friction_inside(const Settled&, const Gathered&, const noc::Push& in, double portion);
+  void book_centre(int i, int j, double tau, RowSums&) const;  // what its corners on a side give back to a cell
+  noc::Ground ground(int k, int l) const;
+  Settled settle(const Gathered& got) const { return noc::settle(got.all, got.reach, got.held, drag()); }
+  static std::array<double, 2> friction_inside(const Settled&, const Gathered&, const noc::Part& in, double portion);
   bool on_side(int i, int j) const;  // a corner on a side that is not periodic
   // What came in through a corner on a side; where two sides meet each gets what is normal to it.
   void book_side(int i, int j, double x, double y, Budget&) const;
   bool on_open_side(int i, int j) const;                     // outflow or inflow
-  bool counted(int i, int j) const;                          // false: the periodic twin of another corner
   double share_to_centre(int i, int j, int a, int b) const;  // depth that corner (i + a, j + b) gives back to cell (i, j)
   double gain(int i, int j, int a, int b) const;  // depth that cell (i, j) gets from its corner (a, b) beyond what it gave
-  void count_sides(const CellBox& corners);
-  void count_obstacles(const Lattice& givers, const CellBox& receivers, double tau);
-  void count_gauges(const CellBox& corners);
-  void count_boxes(const CellBox& cells, double tau);  // after both half steps are known, before the centres change
+  void count_sides();
+  void count_obstacles(const Lattice& givers, const Region& receivers, double tau);
+  void count_gauges();
+  void count_boxes(double tau);  // after both half steps are known, before the centres change
   void count_box_corner(const CellBox& box, int i, int j, double tau, noc::BoxTerms&) const;
   void count_box_centre(const CellBox& box, int i, int j, double tau, noc::BoxTerms&) const;
   std::array<double, 2> momentum_in(const CellBox&) const;  // [m4/s]
-  void find_wet(const CellBox& cells);
+  void find_wet();
   void collect(const std::vector<RowSums>&);
   void check_finite() const;  // throws NumericsError
   void replace(const CellBox& cells, const std::function<FlowState(int i, int j)>& state);
@@ -128,14 +135,15 @@ struct NocSolver::Impl {
   std::array<Side, 4> sides;  // as given
   noc::Terrain terrain;
   Lattice centres, corners;
-  std::vector<Line> lines_x, lines_y;  // [2 * corner + which]
-  std::array<Point, 4> inflow;         // what stands beyond an inflow side
+  std::vector<Line> lines_x, lines_y;                 // [2 * corner + which]
+  std::array<Point, 4> inflow;                        // what stands beyond an inflow side
   std::array<std::vector<double>, 4> inflow_entered;  // [m] at each corner of an inflow side, in this step
   std::array<std::vector<double>, 4> inflow_owed;     // [m] to each cell of it, still
-  CellBox wet;                         // all cells that reach the dry depth lie in it
+  Region wet;                                         // all cells that reach the dry depth
+  Region near, around;                                // within one cell of them: those that change; within four: those that give
+  Region near_corners, corner_region;  // of the cells that change; of those within three, whose corners have a state
   bool scan = true;                    // wet is out of date
   std::optional<double> rate;          // of the present state; empty: the state has changed
-  CellBox corner_box;                  // of the half step under way
   std::vector<RowSums> first;          // of the half step to the corners, booked when the pair stands
 
   std::vector<std::array<double, 2>> impulse;

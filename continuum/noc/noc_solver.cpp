@@ -59,6 +59,7 @@ NocSolver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, 
       terrain(s.grid, surface, bed, s.gravity, s.closure.curvature),
       centres(Lattice::Kind::centres, settings, own, terrain),
       corners(Lattice::Kind::corners, settings, own, terrain),
+      wet(s.grid.nx, s.grid.ny),
       impulse(bed.obstacles.size()) {
   lay_lines();
   for (int side = 0; side < 4; ++side) {

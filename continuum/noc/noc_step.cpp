@@ -12,11 +12,24 @@ namespace {
 
 constexpr int most_halvings = 40;  // of a step whose second half would break the CFL bound
 
-CellBox corners_of(const CellBox& cells) {
-  return {cells.i0, cells.i1 + 1, cells.j0, cells.j1 + 1};
-}
-std::int64_t count(const CellBox& b) {
-  return static_cast<std::int64_t>(b.i1 - b.i0) * (b.j1 - b.j0);
+constexpr int strip = 8;  // rows whose columns are summed together
+
+// Sums over a region's rows, strip by strip; f(j, columns, rows).
+template <class F>
+std::vector<noc::RowSums> by_strips(const noc::Region& region, int columns, int threads, F&& f) {
+  std::vector<noc::RowSums> sums((region.j1() - region.j0() + strip - 1) / strip);
+#pragma omp parallel num_threads(threads)
+  {
+    noc::ColumnSums own;
+#pragma omp for schedule(static)
+    for (int s = 0; s < static_cast<int>(sums.size()); ++s) {
+      own.clear(columns);
+      const int begin = region.j0() + s * strip, end = std::min(begin + strip, region.j1());
+      for (int j = begin; j < end; ++j) f(j, own, sums[s]);
+      own.add_to(sums[s]);
+    }
+  }
+  return sums;
 }
 
 }  // namespace
@@ -54,15 +67,14 @@ double NocSolver::Impl::stable_dt() {
 
 void NocSolver::Impl::refresh() {
   if (rate) return;
-  if (scan) find_wet({0, settings.grid.nx, 0, settings.grid.ny});
-  scan = false;
+  if (scan) find_wet();
   set_inflow(time);
   refresh_state();
 }
 
 void NocSolver::Impl::refresh_state() {
   centres.fill_ghosts();
-  double fastest = centres.find_state(window(4));
+  double fastest = centres.find_state(around);
   for (int side = 0; side < 4; ++side) {
     const double spacing = side < 2 ? settings.grid.dx : settings.grid.dy;
     fastest = std::max(fastest, fastest_inflow(sides[side], settings.gravity, time) / spacing);
@@ -70,65 +82,89 @@ void NocSolver::Impl::refresh_state() {
   rate = fastest;
 }
 
-CellBox NocSolver::Impl::window(int margin) const {
-  if (wet.empty()) return wet;
+void NocSolver::Impl::lay_regions() {
+  const bool x = periodic(0), y = periodic(1);
+  near = wet.grown(1, x, y), around = wet.grown(4, x, y);
+  near_corners = near.corners(y), corner_region = wet.grown(3, x, y).corners(y);
+}
+
+std::pair<int, int> NocSolver::Impl::inner(const Region& corners, int j) const {
   const Grid& g = settings.grid;
-  CellBox b{wet.i0 - margin, wet.i1 + margin, wet.j0 - margin, wet.j1 + margin};
-  if (settings.sides[0].kind == Side::Kind::periodic && (b.i0 < 0 || b.i1 > g.nx)) b.i0 = 0, b.i1 = g.nx;
-  if (settings.sides[2].kind == Side::Kind::periodic && (b.j0 < 0 || b.j1 > g.ny)) b.j0 = 0, b.j1 = g.ny;
-  return centres.clamp(b);
+  const int first = periodic(0) ? 0 : 1, first_row = periodic(1) ? 0 : 1;
+  if (j < first_row || j >= g.ny) return {corners.end(j), corners.end(j)};
+  const int low = std::max(corners.begin(j), first);
+  return {low, std::max(low, std::min(corners.end(j), g.nx))};
+}
+
+void NocSolver::Impl::copy_twins(int j) {
+  const Grid& g = settings.grid;
+  const auto copy = [&](int from, int to) {
+    for (std::vector<double>* a : {&corners.q.h, &corners.q.hu, &corners.q.hv, &corners.locked}) (*a)[to] = (*a)[from];
+  };
+  if (periodic(0)) copy(corners.at(0, j), corners.at(g.nx, j));
+  for (int i = 0; periodic(1) && j == 0 && i <= g.nx; ++i) copy(corners.at(i, 0), corners.at(i, g.ny));
 }
 
 bool NocSolver::Impl::half_step_to_corners(double tau) {
-  const CellBox cells = window(4);
-  corner_box = corners_of(window(3));
   make_inflow(tau);
-  find_locked(cells);
-  centres.prepare(cells, tau);
-  limit_corners(corner_box);
-  first.assign(corner_box.j1 - corner_box.j0, {});
-#pragma omp parallel for num_threads(settings.threads) schedule(static)
-  for (int j = corner_box.j0; j < corner_box.j1; ++j) {
-    for (int i = corner_box.i0; i < corner_box.i1; ++i) update_corner(i, j, tau, first[j - corner_box.j0]);
-  }
+  find_locked();
+  centres.prepare(around, tau);
+  centres.wrap_points();
+  limit_corners();
+  const noc::Drag met = drag();
+  first = by_strips(corner_region, settings.grid.nx + 1, settings.threads, [&](int j, noc::ColumnSums& columns, RowSums& sums) {
+    const auto [low, high] = inner(corner_region, j);
+    receive_at_corners(corners, centres, terrain, met, j, low, high, tau, columns);
+    for_outer(corner_region, j, [&](int i) { update_corner(i, j, tau, sums); });
+    copy_twins(j);
+  });
   corners.fill_ghosts();
-  const CellBox inner = corners_of(window(1));
-  if (corners.find_state(inner) * tau > 0.5 * (1 + 1e-12)) return false;
-  corners.prepare(inner, tau);
+  if (corners.find_state(near_corners) * tau > 0.5 * (1 + 1e-12)) return false;
+  corners.prepare(near_corners, tau);
   return true;
 }
 
 void NocSolver::Impl::half_step_to_centres(double tau) {
-  const CellBox cells = window(1);
-  limit_centres(cells);
-  count_obstacles(centres, corner_box, tau);
-  count_obstacles(corners, cells, tau);
-  count_sides(corners_of(cells));
-  count_gauges(corners_of(cells));
-  count_boxes(cells, tau);
-  std::vector<RowSums> rows(cells.j1 - cells.j0);
-#pragma omp parallel for num_threads(settings.threads) schedule(static)
-  for (int j = cells.j0; j < cells.j1; ++j) {
-    for (int i = cells.i0; i < cells.i1; ++i) update_centre(i, j, tau, rows[j - cells.j0]);
-  }
+  const Grid& g = settings.grid;
+  limit_centres();
+  count_obstacles(centres, corner_region, tau);
+  count_obstacles(corners, near, tau);
+  count_sides();
+  count_gauges();
+  count_boxes(tau);
+  const noc::Drag met = drag();
+  const auto rows = by_strips(near, g.nx, settings.threads, [&](int j, noc::ColumnSums& columns, RowSums& sums) {
+    const int begin = near.begin(j), end = near.end(j);
+    if (!periodic(1) && (j == 0 || j == g.ny - 1)) {
+      for (int i = begin; i < end; ++i) book_centre(i, j, tau, sums);
+    } else if (!periodic(0)) {
+      if (begin == 0 && end > 0) book_centre(0, j, tau, sums);
+      if (end == g.nx && g.nx > 1) book_centre(g.nx - 1, j, tau, sums);
+    }
+    receive_at_centres(centres, corners, terrain, met, j, begin, end, tau, columns);
+  });
   collect(first);
   collect(rows);
   put_inflow_right(2 * tau);
-  cell_updates += count(corner_box) + count(cells);
-  find_wet(cells);
+  cell_updates += corner_region.count() + near.count();
+  find_wet();
 }
 
-void NocSolver::Impl::find_wet(const CellBox& cells) {
+// In the cells that may have changed, or in all of them after others were set.
+void NocSolver::Impl::find_wet() {
   const Grid& g = settings.grid;
-  CellBox found{g.nx, 0, g.ny, 0};
-  for (int j = cells.j0; j < cells.j1; ++j) {
-    for (int i = cells.i0; i < cells.i1; ++i) {
-      if (centres.q.h[centres.at(i, j)] < settings.dry_depth) continue;  // not a number counts as wet
-      found = {std::min(found.i0, i), std::max(found.i1, i + 1), std::min(found.j0, j), std::max(found.j1, j + 1)};
-    }
+  Region found(g.nx, g.ny);
+  const auto dry = [&](int i, int j) { return centres.q.h[centres.at(i, j)] < settings.dry_depth; };  // not a number is wet
+  for (int j = scan ? 0 : near.j0(); j < (scan ? g.ny : near.j1()); ++j) {
+    int begin = scan ? 0 : near.begin(j), end = scan ? g.nx : near.end(j);
+    while (begin < end && dry(begin, j)) ++begin;
+    while (begin < end && dry(end - 1, j)) --end;
+    found.add(j, begin, end);
   }
-  wet = found;
+  scan = false;
+  wet = std::move(found);
   wet_inflow();
+  lay_regions();
 }
 
 void NocSolver::Impl::collect(const std::vector<RowSums>& rows) {

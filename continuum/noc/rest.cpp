@@ -25,10 +25,26 @@ bool holds(const Slope& low, const Slope& high, double drive, double spacing, do
 
 }  // namespace
 
-void NocSolver::Impl::find_locked(const CellBox& cells) {
+// Few cells that are wet are at rest: they are looked at one by one.
+void NocSolver::Impl::find_locked() {
+  const double dry = settings.dry_depth;
+  const bool friction = settings.closure.tan_delta > 0;
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
-  for (int j = cells.j0; j < cells.j1; ++j) {
-    for (int i = cells.i0; i < cells.i1; ++i) centres.locked[centres.at(i, j)] = locked(i, j);
+  for (int j = around.j0(); j < around.j1(); ++j) {
+    const int begin = centres.at(around.begin(j), j), end = centres.at(around.end(j), j), shift = centres.at(0, j);
+    const double *h = centres.q.h.data(), *hu = centres.q.hu.data(), *hv = centres.q.hv.data();
+    double* locked_at = centres.locked.data();
+    double resting = 0;
+#pragma omp simd reduction(+ : resting)
+    for (int c = begin; c < end; ++c) {
+      const double film = h[c] < dry ? 1.0 : 0.0, still = std::abs(hu[c]) + std::abs(hv[c]) == 0 ? 1.0 : 0.0;
+      locked_at[c] = film;
+      resting += (1 - film) * still;
+    }
+    if (!friction || resting == 0) continue;
+    for (int c = begin; c < end; ++c) {
+      if (hu[c] == 0 && hv[c] == 0) locked_at[c] = locked(c - shift, j);
+    }
   }
 }
 

@@ -7,21 +7,27 @@ namespace couloir::noc {
 
 Terrain::Terrain(const Grid& g, const ReferenceSurface& surface, const NocBed& bed, double gravity, bool curvature)
     : grid_(g), nx_(2 * g.nx), ny_(2 * g.ny), obstacles_(bed.obstacles.size()) {
-  const double qx = 0.5 * g.dx, qy = 0.5 * g.dy;
-  const auto x = [&](int k) { return g.x0 + (k + 0.5) * qx; };
-  const auto y = [&](int l) { return g.y0 + (l + 0.5) * qy; };
   for (int k = 0; k < nx_; ++k) {
-    const double zeta = surface.angle(x(k));
+    const double x = g.x0 + (k + 0.5) * (0.5 * g.dx), zeta = surface.angle(x);
     weight_.push_back(gravity * std::cos(zeta));
     drive_.push_back(gravity * std::sin(zeta));
-    kappa_.push_back(curvature ? surface.curvature(x(k)) : 0.0);
+    kappa_.push_back(curvature ? surface.curvature(x) : 0.0);
     steepest_ = std::max(steepest_, std::abs(drive_.back()));
   }
 
+  lay_bed(bed);
+  lay_quadrants();
+}
+
+void Terrain::lay_bed(const NocBed& bed) {
   std::vector<NocBed::Height> parts = bed.obstacles;
   if (bed.ground) parts.push_back(bed.ground);
   level_ = parts.empty();
   if (level_) return;
+  const Grid& g = grid_;
+  const double qx = 0.5 * g.dx, qy = 0.5 * g.dy;
+  const auto x = [&](int k) { return g.x0 + (k + 0.5) * qx; };
+  const auto y = [&](int l) { return g.y0 + (l + 0.5) * qy; };
   slope_.resize(static_cast<std::size_t>(nx_) * ny_);
   if (bed.ground) ground_.resize(slope_.size());
   height_.resize(static_cast<std::size_t>(g.nx) * g.ny);
@@ -43,6 +49,29 @@ Terrain::Terrain(const Grid& g, const ReferenceSurface& surface, const NocBed& b
     }
     for (int j = 0; j < g.ny; ++j) {
       for (int i = 0; i < g.nx; ++i) height_[static_cast<std::size_t>(j) * g.nx + i] += z(g.x(i), g.y(j));
+    }
+  }
+}
+
+void Terrain::lay_quadrants() {
+  constexpr int ghosts = 2;
+  const auto around = [](int i, int n) { return (i % n + n) % n; };
+  for (int a : {0, 1}) {
+    for (int i = -ghosts; i < grid_.nx + ghosts; ++i) {
+      const int k = around(2 * i + a, nx_);
+      columns_[a].weight.push_back(weight_[k]), columns_[a].drive.push_back(drive_[k]), columns_[a].kappa.push_back(kappa_[k]);
+      curved_ = curved_ || kappa_[k] != 0;
+    }
+  }
+  if (level_) return;
+  for (int a : {0, 1}) {
+    for (int b : {0, 1}) {
+      for (int j = -ghosts; j < grid_.ny + ghosts; ++j) {
+        for (int i = -ghosts; i < grid_.nx + ghosts; ++i) {
+          const Gradient s = slope(around(2 * i + a, nx_), around(2 * j + b, ny_));
+          slopes_[a][b].x.push_back(s.x), slopes_[a][b].y.push_back(s.y);
+        }
+      }
     }
   }
 }

@@ -46,6 +46,19 @@ class Terrain {
 
   double height(int i, int j) const;  // z_b at a cell centre [m]
 
+  // The quarter points by the quadrant of the cell that they lie in, [a][b] with 0 the lower one, for inner loops over cells:
+  // columns and cells with two more on each side, as Lattice has its points. Beyond the domain stands what is at its other end,
+  // which only a periodic one asks for. Where the bed is level there are no slopes.
+  struct Columns {
+    std::vector<double> weight, drive, kappa;
+  };
+  struct Slopes {
+    std::vector<double> x, y;
+  };
+  const Columns& columns(int a) const { return columns_[a]; }
+  const Slopes& slopes(int a, int b) const { return slopes_[a][b]; }
+  bool curved() const { return curved_; }
+
   struct QuarterSlope {
     int k, l;
     Gradient slope;
@@ -55,12 +68,17 @@ class Terrain {
   int obstacles() const { return static_cast<int>(obstacles_.size()); }
 
  private:
+  void lay_bed(const NocBed&);
+  void lay_quadrants();
+
   Grid grid_;
   int nx_ = 0, ny_ = 0;
-  bool level_ = true;
+  bool level_ = true, curved_ = false;
   double steepest_ = 0;
   std::vector<double> weight_, drive_, kappa_, height_;
   std::vector<Gradient> slope_, ground_;
+  Columns columns_[2];
+  Slopes slopes_[2][2];
   std::vector<std::vector<QuarterSlope>> obstacles_;
 };
 
