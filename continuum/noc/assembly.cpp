@@ -12,7 +12,7 @@ using noc::Part;
 
 noc::Drag NocSolver::Impl::drag() const {
   const double mu = settings.closure.tan_delta;
-  return {mu, settings.dry_depth, built::friction && mu > 0, built::curvature && terrain.curved()};
+  return {mu, settings.dry_depth, built::friction && mu > 0, built::curvature && !terrain.arc().empty()};
 }
 
 noc::Ground NocSolver::Impl::ground(int k, int l) const {

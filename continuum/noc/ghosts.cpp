@@ -29,7 +29,7 @@ GhostSource ghost_source(int i, int n, Lattice::Kind kind, const Side& low, cons
 
 // Rows first, then columns over the whole height, so that the corners' ghosts are mirrored twice.
 void Lattice::fill_ghosts() {
-  const auto copy = [&](int to, int from, const GhostSource& g, int side, std::vector<double>& normal, double outward) {
+  const auto copy = [&](int to, int from, const GhostSource& g, int side, double* normal, double outward) {
     const Side& s = s_.sides[side];
     q.h[to] = g.fixed ? s.depth : q.h[from];
     q.hu[to] = g.fixed ? 0.0 : q.hu[from];

@@ -105,7 +105,7 @@ FlowState NocSolver::Impl::inflow_change(int side, int k, int cell, double dt) {
   owed[k] += dt * mean_discharge(sides[side], time, time + dt) / (along_x ? settings.grid.dx : settings.grid.dy) -
              (entered(k) + entered(k + 1));
 
-  const Fields& q = centres.q;
+  const noc::Three& q = centres.q;
   const int i = along_x ? (low ? 0 : settings.grid.nx - 1) : k, j = along_x ? k : (low ? 0 : settings.grid.ny - 1);
   FlowState change{std::max(owed[k], -0.5 * q.h[cell] / inflows_at(i, j)), 0, 0};
   owed[k] -= change.h;
@@ -137,7 +137,7 @@ int NocSolver::Impl::inflows_at(int i, int j) const {
 
 void NocSolver::Impl::add_inflow(int cell, const FlowState& change) {
   if (change.h == 0) return;
-  Fields& q = centres.q;
+  const noc::Three& q = centres.q;
   q.h[cell] += change.h, q.hu[cell] += change.hu, q.hv[cell] += change.hv;
   if (q.h[cell] >= settings.dry_depth) return;
   const double area = settings.grid.dx * settings.grid.dy;

@@ -14,20 +14,29 @@ namespace {
 // and far below what compression makes of the pressure.
 constexpr double round_off = 1e-10;
 
+constexpr int own_arrays = 8;  // beside those of the points
+
+int more(Lattice::Kind kind) {
+  return kind == Lattice::Kind::corners ? 1 : 0;
+}
+int size_of(Lattice::Kind kind, const Grid& g) {
+  return (g.nx + more(kind) + 2 * Lattice::ghosts) * (g.ny + more(kind) + 2 * Lattice::ghosts);
+}
+
 }  // namespace
 
 Lattice::Lattice(Kind kind, const SolverSettings& s, const NocSettings& own, const Terrain& terrain)
-    : kind_(kind),
+    : arrays(Points::arrays + own_arrays, size_of(kind, s.grid)),
+      points(arrays),
+      locked(arrays.next()),
+      kind_(kind),
       s_(s),
       own_(own),
       terrain_(terrain),
-      nx_(s.grid.nx + (kind == Kind::corners ? 1 : 0)),
-      ny_(s.grid.ny + (kind == Kind::corners ? 1 : 0)) {
-  const std::size_t n = static_cast<std::size_t>(row()) * (ny_ + 2 * ghosts);
-  q.resize(static_cast<int>(n));
-  points.resize(static_cast<int>(n));
-  for (auto* field : {&locked, &u_, &v_, &pull_x_, &pull_y_, &pull_}) field->assign(n, 0.0);
-  for (auto* field : {&kx_, &ky_}) field->assign(n, 1.0);
+      nx_(s.grid.nx + more(kind)),
+      ny_(s.grid.ny + more(kind)) {
+  for (double** array : {&u_, &v_, &kx_, &ky_, &pull_x_, &pull_y_, &pull_}) *array = arrays.next();
+  for (double* k : {kx_, ky_}) std::fill(k, k + size_of(kind, s.grid), 1.0);
   for (int i = 0; i < nx_; ++i) {
     weight_.push_back(middle(i, &Terrain::weight));
     kappa_.push_back(built::curvature ? middle(i, &Terrain::kappa) : 0.0);
@@ -68,8 +77,8 @@ void Lattice::lay_pull() {
 // Two cells more on each side: for the slopes of the region's velocities.
 void Lattice::find_velocity(const Region& region) {
   const double dry = s_.dry_depth;
-  const double *h = q.h.data(), *hu = q.hu.data(), *hv = q.hv.data();
-  double *u = u_.data(), *v = v_.data();
+  const double *h = q.h, *hu = q.hu, *hv = q.hv;
+  double *u = u_, *v = v_;
 #pragma omp parallel for num_threads(s_.threads) schedule(static)
   for (int j = region.j0() - ghosts; j < region.j1() + ghosts; ++j) {
     int i0 = nx_, i1 = 0;
@@ -103,8 +112,8 @@ double Lattice::find_rate(int j, int i0, int i1) {
   const int r = row();
   const double dry = s_.dry_depth, per_dx = 1 / s_.grid.dx, per_dy = 1 / s_.grid.dy;
   const double creep = own_.creeping_froude * own_.creeping_froude;
-  const double *h = q.h.data() + at(0, j), *u = u_.data() + at(0, j), *v = v_.data() + at(0, j), *weight = weight_.data();
-  double *kx = kx_.data() + at(0, j), *ky = ky_.data() + at(0, j);
+  const double *h = q.h + at(0, j), *u = u_ + at(0, j), *v = v_ + at(0, j), *weight = weight_.data();
+  double *kx = kx_ + at(0, j), *ky = ky_ + at(0, j);
   double fastest = 0;
 #pragma omp simd reduction(max : fastest)
   for (int i = i0; i < i1; ++i) {
@@ -135,12 +144,12 @@ double Lattice::find_rate(int j, int i0, int i1) {
 void Lattice::wrap_points() {
   const bool along = s_.sides[0].kind == Side::Kind::periodic, across = s_.sides[2].kind == Side::Kind::periodic;
   if (!along && !across) return;
-  auto all = points.arrays();
-  all.insert(all.end(), {&locked, &q.h, &q.hu, &q.hv});
-  for (std::vector<double>* a : all) {
-    for (int j = 0; along && j < ny_; ++j) (*a)[at(-1, j)] = (*a)[at(nx_ - 1, j)];
-    for (int i = -1; across && i < nx_; ++i) (*a)[at(i, -1)] = (*a)[at(i, ny_ - 1)];
-  }
+  const auto copy = [&](int from, int to) {
+    for (const Three& t : points.threes()) t.h[to] = t.h[from], t.hu[to] = t.hu[from], t.hv[to] = t.hv[from];
+    points.reach[to] = points.reach[from], locked[to] = locked[from];
+  };
+  for (int j = 0; along && j < ny_; ++j) copy(at(nx_ - 1, j), at(-1, j));
+  for (int i = -1; across && i < nx_; ++i) copy(at(i, ny_ - 1), at(i, -1));
 }
 
 }  // namespace couloir::noc

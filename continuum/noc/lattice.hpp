@@ -24,6 +24,8 @@ class Lattice {
   static constexpr int ghosts = 2;
 
   Lattice(Kind, const SolverSettings&, const NocSettings&, const Terrain&);
+  Lattice(const Lattice&) = delete;
+  Lattice& operator=(const Lattice&) = delete;
 
   int nx() const { return nx_; }
   int ny() const { return ny_; }
@@ -40,11 +42,11 @@ class Lattice {
   // Of centres beyond a periodic side: what the cells at the other end have.
   void wrap_points();
 
-  Fields q;                    // ghosts included
-  std::vector<double> locked;  // 1: at rest, held by friction, or dry; else 0
-  Points points;
-  Point point(int c) const { return view().at(c); }
-  PointsView view() const { return {q, points}; }
+  Arrays arrays;        // of the points
+  Points points;        // ghosts included
+  Three& q = points.q;  // their states
+  double* locked;       // 1: at rest, held by friction, or dry; else 0
+  Point point(int c) const { return points.at(c); }
   double kx(int c) const { return kx_[c]; }
   double ky(int c) const { return ky_[c]; }
 
@@ -67,9 +69,9 @@ class Lattice {
   NocSettings own_;
   const Terrain& terrain_;
   int nx_, ny_;
-  std::vector<double> u_, v_, kx_, ky_;
-  std::vector<double> weight_, kappa_;          // by column, of the points
-  std::vector<double> pull_x_, pull_y_, pull_;  // along the slope and down the bed, and their size [m/s2]; by point
+  std::vector<double> weight_, kappa_;  // by column
+  double *u_, *v_, *kx_, *ky_;          // by point
+  double *pull_x_, *pull_y_, *pull_;    // along the slope and down the bed, and their size [m/s2]
 };
 
 // Where the ghost index i of n points takes its value from.

@@ -152,7 +152,7 @@ void NocSolver::gather(std::vector<double>& h, std::vector<double>& hu, std::vec
   h.clear(), hu.clear(), hv.clear();
   for (int j = 0; j < g.ny; ++j) {
     const int begin = impl_->centres.at(0, j);
-    const Fields& q = impl_->centres.q;
+    const noc::Three& q = impl_->centres.q;
     h.insert(h.end(), &q.h[begin], &q.h[begin] + g.nx);
     hu.insert(hu.end(), &q.hu[begin], &q.hu[begin] + g.nx);
     hv.insert(hv.end(), &q.hv[begin], &q.hv[begin] + g.nx);

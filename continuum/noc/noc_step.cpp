@@ -99,7 +99,7 @@ std::pair<int, int> NocSolver::Impl::inner(const Region& corners, int j) const {
 void NocSolver::Impl::copy_twins(int j) {
   const Grid& g = settings.grid;
   const auto copy = [&](int from, int to) {
-    for (std::vector<double>* a : {&corners.q.h, &corners.q.hu, &corners.q.hv, &corners.locked}) (*a)[to] = (*a)[from];
+    for (double* a : {corners.q.h, corners.q.hu, corners.q.hv, corners.locked}) a[to] = a[from];
   };
   if (periodic(0)) copy(corners.at(0, j), corners.at(g.nx, j));
   for (int i = 0; periodic(1) && j == 0 && i <= g.nx; ++i) copy(corners.at(i, 0), corners.at(i, g.ny));

@@ -93,8 +93,8 @@ void NocSolver::Impl::limit_corner(int i, int j) {
 
 void NocSolver::Impl::limit(Lattice& lattice, int point) {
   const double keep = noc::own_keep(lattice.point(point));
-  for (Fields* tilt : {&lattice.points.tilt_x, &lattice.points.tilt_y}) {
-    tilt->h[point] *= keep, tilt->hu[point] *= keep, tilt->hv[point] *= keep;
+  for (const noc::Three& tilt : {lattice.points.tilt_x, lattice.points.tilt_y}) {
+    tilt.h[point] *= keep, tilt.hu[point] *= keep, tilt.hv[point] *= keep;
   }
   ++limited_count;
 }

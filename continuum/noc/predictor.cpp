@@ -16,10 +16,10 @@ namespace {
 
 constexpr double just_below = 1 - 1e-12;  // so that round-off leaves no share below zero
 
-// Pointers to three fields at a place.
+// Three arrays from a point on.
 struct Row {
   double *h, *hu, *hv;
-  Row(Fields& f, int c) : h(f.h.data() + c), hu(f.hu.data() + c), hv(f.hv.data() + c) {}
+  Row(const Three& t, int c) : h(t.h + c), hu(t.hu + c), hv(t.hv + c) {}
 };
 
 }  // namespace
@@ -42,8 +42,8 @@ template <class S, bool velocity_slopes>
 void Lattice::find_slopes(int j, int i0, int i1) {
   const int r = row(), begin = at(0, j);
   const double dry = s_.dry_depth;
-  const double *h = q.h.data() + begin, *u = u_.data() + begin, *v = v_.data() + begin;
-  const double *wu = velocity_slopes ? u : q.hu.data() + begin, *wv = velocity_slopes ? v : q.hv.data() + begin;
+  const double *h = q.h + begin, *u = u_ + begin, *v = v_ + begin;
+  const double *wu = velocity_slopes ? u : q.hu + begin, *wv = velocity_slopes ? v : q.hv + begin;
   const Row x(points.x, begin), y(points.y, begin);
 #pragma omp simd
   for (int i = i0; i < i1; ++i) {
@@ -71,13 +71,13 @@ void Lattice::predict(int j, int i0, int i1, double tau) {
   const double dry = s_.dry_depth, mu = s_.closure.tan_delta;
   const double ax = 2 * tau / s_.grid.dx, ay = 2 * tau / s_.grid.dy;  // tau/2 times four quarters by the spacing
   const double lx = 0.5 * tau / s_.grid.dx, ly = 0.5 * tau / s_.grid.dy;
-  const double *qh = q.h.data() + begin, *qhu = q.hu.data() + begin, *qhv = q.hv.data() + begin;
-  const double *us = u_.data() + begin, *vs = v_.data() + begin, *kx = kx_.data() + begin, *ky = ky_.data() + begin;
-  const double *still = locked.data() + begin, *weights = weight_.data(), *kappas = kappa_.data();
-  const double *pull_x = pull_x_.data() + begin, *pull_y = pull_y_.data() + begin, *pull = pull_.data() + begin;
+  const double *qh = q.h + begin, *qhu = q.hu + begin, *qhv = q.hv + begin;
+  const double *us = u_ + begin, *vs = v_ + begin, *kx = kx_ + begin, *ky = ky_ + begin;
+  const double *still = locked + begin, *weights = weight_.data(), *kappas = kappa_.data();
+  const double *pull_x = pull_x_ + begin, *pull_y = pull_y_ + begin, *pull = pull_ + begin;
   const Row x(points.x, begin), y(points.y, begin), half(points.half, begin), tilt_x(points.tilt_x, begin),
       tilt_y(points.tilt_y, begin);
-  double* reaches = points.reach.data() + begin;
+  double* reaches = points.reach + begin;
 #pragma omp simd
   for (int i = i0; i < i1; ++i) {
     const double h = qh[i], u = us[i], v = vs[i], gx = kx[i] * weights[i], gy = ky[i] * weights[i];
@@ -123,7 +123,7 @@ void Lattice::close_sides(int j, int i0, int i1, double tau) {
     if (y) hv = 0;
     const double h = points.half.h[c], u = h > 0 ? hu / h : 0.0, v = h > 0 ? hv / h : 0.0;
     const FaceFlux f = flux_x(h, u, v, kx_[c] * weight_[i]), g = flux_y(h, u, v, ky_[c] * weight_[i]);
-    const auto tilt = [](Fields& to, const Fields& slope, int c, double l, const FaceFlux& flux) {
+    const auto tilt = [](const Three& to, const Three& slope, int c, double l, const FaceFlux& flux) {
       to.h[c] = 0.25 * slope.h[c] + l * flux.mass;
       to.hu[c] = 0.25 * slope.hu[c] + l * flux.mom_x;
       to.hv[c] = 0.25 * slope.hv[c] + l * flux.mom_y;

@@ -1,6 +1,8 @@
 #include "continuum/noc/receive.hpp"
 
 #include <algorithm>
+#include <array>
+#include <type_traits>
 
 #include "continuum/scheme/effects.hpp"
 
@@ -46,11 +48,11 @@ template <bool back, bool friction, bool curved, bool relief>
 void receive(Lattice& to, const Lattice& from, const Terrain& t, const Drag& all_drag, int j, int i0, int i1, double tau,
              ColumnSums& sums) {
   const Stencil s = stencil(to, from, t, j, back);
-  const PointsView points = from.view(), own = to.view();
+  const Points points = from.points, own = to.points;
   const Drag drag{all_drag.mu, all_drag.dry, friction, curved};
-  const double* locked = from.locked.data();
-  double *h = to.q.h.data() + s.receiver, *hu = to.q.hu.data() + s.receiver, *hv = to.q.hv.data() + s.receiver;
-  double* held_to = to.locked.data() + s.receiver;
+  const double* locked = from.locked;
+  double *h = to.q.h + s.receiver, *hu = to.q.hu + s.receiver, *hv = to.q.hv + s.receiver;
+  double* held_to = to.locked + s.receiver;
   double *gravity_x = sums.at(ColumnSums::gravity_x), *gravity_y = sums.at(ColumnSums::gravity_y);
   double *friction_x = sums.at(ColumnSums::friction_x), *friction_y = sums.at(ColumnSums::friction_y);
   double *cutoff_x = sums.at(ColumnSums::cutoff_x), *cutoff_y = sums.at(ColumnSums::cutoff_y);
@@ -84,32 +86,47 @@ void receive(Lattice& to, const Lattice& from, const Terrain& t, const Drag& all
   }
 }
 
+// Piece by piece: where the surface has no arc and no bed rises, neither is asked for.
 template <bool back>
-void choose(Lattice& to, const Lattice& from, const Terrain& t, const Drag& drag, int j, int i0, int i1, double tau,
-            ColumnSums& sums) {
-  const bool relief = built::relief && !t.level();
-  const auto run = [&](auto friction, auto curved) {
-    relief ? receive<back, friction(), curved(), true>(to, from, t, drag, j, i0, i1, tau, sums)
-           : receive<back, friction(), curved(), false>(to, from, t, drag, j, i0, i1, tau, sums);
-  };
-  if (!drag.friction) return run(std::false_type{}, std::false_type{});
-  drag.curved ? run(std::true_type{}, std::true_type{}) : run(std::true_type{}, std::false_type{});
+void receive_row(Lattice& to, const Lattice& from, const Terrain& t, const Drag& drag, int j, int i0, int i1, double tau,
+                 ColumnSums& sums) {
+  const int more = back ? 0 : 1;  // a corner between two cells has the ground of both
+  const CellBox bed = built::relief ? t.relief() : CellBox{}, arc = drag.curved ? t.arc() : CellBox{};
+  const bool risen = j >= bed.j0 && j < bed.j1 + more;
+  const auto within = [&](int i, const CellBox& b) { return i >= b.i0 && i < b.i1 + more && b.i0 < b.i1; };
+  std::array<int, 6> cuts{i0, i1, bed.i0, bed.i1 + more, arc.i0, arc.i1 + more};
+  for (int& cut : cuts) cut = std::clamp(cut, i0, std::max(i0, i1));
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    const int begin = cuts[k], end = cuts[k + 1];
+    if (begin >= end) continue;
+    const bool relief = risen && within(begin, bed), curved = within(begin, arc);
+    const auto run = [&](auto with_friction, auto with_arc) {
+      relief ? receive<back, with_friction(), with_arc(), true>(to, from, t, drag, j, begin, end, tau, sums)
+             : receive<back, with_friction(), with_arc(), false>(to, from, t, drag, j, begin, end, tau, sums);
+    };
+    if (!drag.friction) {
+      run(std::false_type{}, std::false_type{});
+    } else {
+      curved ? run(std::true_type{}, std::true_type{}) : run(std::true_type{}, std::false_type{});
+    }
+  }
 }
 
 }  // namespace
 
 void receive_at_corners(Lattice& corners, const Lattice& centres, const Terrain& t, const Drag& drag, int j, int i0, int i1,
                         double tau, ColumnSums& sums) {
-  choose<false>(corners, centres, t, drag, j, i0, i1, tau, sums);
+  receive_row<false>(corners, centres, t, drag, j, i0, i1, tau, sums);
 }
 
 void receive_at_centres(Lattice& centres, const Lattice& corners, const Terrain& t, const Drag& drag, int j, int i0, int i1,
                         double tau, ColumnSums& sums) {
-  choose<true>(centres, corners, t, drag, j, i0, i1, tau, sums);
+  receive_row<true>(centres, corners, t, drag, j, i0, i1, tau, sums);
 }
 
 double least_at_corners(const Lattice& centres, int j, int i0, int i1) {
-  const PointsView points = centres.view();
+  const Points points = centres.points;
   const int below = centres.at(0, j - 1), above = centres.at(0, j);
   double least = 0;
 #pragma omp simd reduction(min : least)
@@ -122,9 +139,9 @@ double least_at_corners(const Lattice& centres, int j, int i0, int i1) {
 }
 
 double least_at_centres(const Lattice& centres, const Lattice& corners, int j, int i0, int i1) {
-  const PointsView points = corners.view(), own = centres.view();
+  const Points points = corners.points, own = centres.points;
   const int below = corners.at(0, j), above = corners.at(0, j + 1), cell = centres.at(0, j);
-  const double* locked = corners.locked.data();
+  const double* locked = corners.locked;
   double least = 0;
 #pragma omp simd reduction(min : least)
   for (int i = i0; i < i1; ++i) {
@@ -143,18 +160,16 @@ void ColumnSums::clear(int nx) {
 }
 
 void ColumnSums::add_to(RowSums& rows) const {
-  const auto sum = [&](Column c) {
-    double s = 0;
-    for (double v : columns_[c]) s += v;
-    return s;
-  };
+  double sum[not_finite + 1] = {};
+  for (std::size_t i = 0; i < columns_[0].size(); ++i) {
+    for (int c = 0; c <= not_finite; ++c) sum[c] += columns_[c][i];
+    rows.min_depth = smaller(rows.min_depth, columns_[least][i]);
+  }
   Budget& b = rows.budget;
-  b.gravity[0] += sum(gravity_x), b.gravity[1] += sum(gravity_y);
-  b.friction[0] += sum(friction_x), b.friction[1] += sum(friction_y);
-  b.cutoff[0] += sum(cutoff_x), b.cutoff[1] += sum(cutoff_y);
-  rows.finite = rows.finite && sum(not_finite) == 0;
-  if (!columns_[least].empty())
-    rows.min_depth = smaller(rows.min_depth, *std::min_element(columns_[least].begin(), columns_[least].end()));
+  b.gravity[0] += sum[gravity_x], b.gravity[1] += sum[gravity_y];
+  b.friction[0] += sum[friction_x], b.friction[1] += sum[friction_y];
+  b.cutoff[0] += sum[cutoff_x], b.cutoff[1] += sum[cutoff_y];
+  rows.finite = rows.finite && sum[not_finite] == 0;
 }
 
 }  // namespace couloir::noc

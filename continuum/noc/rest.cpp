@@ -32,8 +32,8 @@ void NocSolver::Impl::find_locked() {
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
   for (int j = around.j0(); j < around.j1(); ++j) {
     const int begin = centres.at(around.begin(j), j), end = centres.at(around.end(j), j), shift = centres.at(0, j);
-    const double *h = centres.q.h.data(), *hu = centres.q.hu.data(), *hv = centres.q.hv.data();
-    double* locked_at = centres.locked.data();
+    const double *h = centres.q.h, *hu = centres.q.hu, *hv = centres.q.hv;
+    double* locked_at = centres.locked;
     double resting = 0;
 #pragma omp simd reduction(+ : resting)
     for (int c = begin; c < end; ++c) {

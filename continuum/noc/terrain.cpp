@@ -60,10 +60,23 @@ void Terrain::lay_quadrants() {
     for (int i = -ghosts; i < grid_.nx + ghosts; ++i) {
       const int k = around(2 * i + a, nx_);
       columns_[a].weight.push_back(weight_[k]), columns_[a].drive.push_back(drive_[k]), columns_[a].kappa.push_back(kappa_[k]);
-      curved_ = curved_ || kappa_[k] != 0;
     }
   }
+  const auto widen = [](CellBox& box, int i, int j) {
+    box = box.empty() ? CellBox{i, i + 1, j, j + 1}
+                      : CellBox{std::min(box.i0, i), std::max(box.i1, i + 1), std::min(box.j0, j), std::max(box.j1, j + 1)};
+  };
+  for (int k = 0; k < nx_; ++k) {
+    if (kappa_[k] != 0) widen(arc_, k / 2, 0);
+  }
   if (level_) return;
+  for (int l = 0; l < ny_; ++l) {
+    for (int k = 0; k < nx_; ++k) {
+      if (slope(k, l).x != 0 || slope(k, l).y != 0) widen(relief_, k / 2, l / 2);
+    }
+  }
+  if (relief_.i1 == grid_.nx) relief_.i0 = 0;  // a periodic domain asks for it beyond its lower end, too
+  if (relief_.j1 == grid_.ny) relief_.j0 = 0;
   for (int a : {0, 1}) {
     for (int b : {0, 1}) {
       for (int j = -ghosts; j < grid_.ny + ghosts; ++j) {

@@ -57,7 +57,9 @@ class Terrain {
   };
   const Columns& columns(int a) const { return columns_[a]; }
   const Slopes& slopes(int a, int b) const { return slopes_[a][b]; }
-  bool curved() const { return curved_; }
+  // The cells that hold all bed that rises or falls, and all columns with curvature.
+  const CellBox& relief() const { return relief_; }
+  const CellBox& arc() const { return arc_; }
 
   struct QuarterSlope {
     int k, l;
@@ -73,7 +75,8 @@ class Terrain {
 
   Grid grid_;
   int nx_ = 0, ny_ = 0;
-  bool level_ = true, curved_ = false;
+  bool level_ = true;
+  CellBox relief_, arc_;
   double steepest_ = 0;
   std::vector<double> weight_, drive_, kappa_, height_;
   std::vector<Gradient> slope_, ground_;
