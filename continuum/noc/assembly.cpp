@@ -134,6 +134,7 @@ void NocSolver::Impl::update_corner(int i, int j, double tau, RowSums& sums) {
   const int c = corners.at(i, j);
   corners.q.h[c] = got.all.h, corners.q.hu[c] = s.hu, corners.q.hv[c] = s.hv;
   corners.locked[c] = got.held;
+  corners.lost_x[c] = s.friction_x + s.cutoff_x, corners.lost_y[c] = s.friction_y + s.cutoff_y;
 
   Part in;  // of those inside
   int inside = 0;
@@ -160,29 +161,12 @@ double NocSolver::Impl::share_to_centre(int i, int j, int a, int b) const {
   return noc::share_back(corners.point(n), centres.point(centres.at(i, j)), corners.locked[n], cx, cy);
 }
 
-NocSolver::Impl::Gathered NocSolver::Impl::gather_centre(int i, int j, double tau) const {
-  Gathered got;
+void NocSolver::Impl::book_centre(int i, int j, RowSums& sums) const {
   for (int a : {0, 1}) {
     for (int b : {0, 1}) {
-      const double cx = a == 0 ? 1 : -1, cy = b == 0 ? 1 : -1;
-      const int n = corners.at(i + a, j + b);
-      const Point p = corners.point(n);
-      got.part[a][b] = part_of(p, ground(2 * i + a, 2 * j + b), drag(), cx, cy, tau);
-      got.part[a][b].h = share_to_centre(i, j, a, b);
-      got.reach = std::max(got.reach, p.reach);
-      got.held *= corners.locked[n];
-    }
-  }
-  got.add_up();
-  if (got.held > 0) got.all.h = centres.q.h[centres.at(i, j)];
-  return got;
-}
-
-void NocSolver::Impl::book_centre(int i, int j, double tau, RowSums& sums) const {
-  const Gathered got = gather_centre(i, j, tau);
-  for (int a : {0, 1}) {
-    for (int b : {0, 1}) {
-      if (on_side(i + a, j + b)) book_side(i + a, j + b, got.part[a][b].hu, got.part[a][b].hv, sums.budget);
+      if (!on_side(i + a, j + b)) continue;
+      const FlowState back = share(corners.point(corners.at(i + a, j + b)), 1 - 2 * a, 1 - 2 * b);
+      book_side(i + a, j + b, back.hu, back.hv, sums.budget);
     }
   }
 }

@@ -50,64 +50,68 @@ using noc::BoxTerms;
 using noc::Momentum;
 
 void NocSolver::Impl::count_box_corner(const CellBox& box, int i, int j, double tau, BoxTerms& terms) const {
+  const auto giver = [&](int a, int b) { return centres.point(centres.at(i - 1 + a, j - 1 + b)); };
   bool inside[2][2];
   int count = 0;
   for (int a : {0, 1}) {
     for (int b : {0, 1}) count += inside[a][b] = box.contains(i - 1 + a, j - 1 + b);
   }
-  const Gathered got = gather_corner(i, j, tau);
-  const Settled s = settle(got);
   const Momentum weight = noc::over(inside, [&](int a, int b) {
-    const Point p = centres.point(centres.at(i - 1 + a, j - 1 + b));
-    return noc::weight(p, terrain, 2 * i - 1 + a, 2 * j - 1 + b, 1 - 2 * a, 1 - 2 * b, tau);
+    return noc::weight(giver(a, b), terrain, 2 * i - 1 + a, 2 * j - 1 + b, 1 - 2 * a, 1 - 2 * b, tau);
   });
+  const int c = corners.at(i, j);
   const double portion = 0.25 * count;
-  const Momentum friction{portion * (s.friction_x + s.cutoff_x), portion * (s.friction_y + s.cutoff_y)};
+  const Momentum friction{portion * corners.lost_x[c], portion * corners.lost_y[c]};
   terms.weight[0] += weight.x, terms.weight[1] += weight.y;
   terms.friction[0] += friction.x, terms.friction[1] += friction.y;
   if (count == 4) return;
   const Momentum given = noc::over(inside, [&](int a, int b) {
-    return Momentum{got.part[a][b].hu + got.part[a][b].x, got.part[a][b].hv + got.part[a][b].y};
+    const noc::Drag none{0, settings.dry_depth, false, false};
+    const noc::Part p = part_of(giver(a, b), ground(2 * i - 1 + a, 2 * j - 1 + b), none, 1 - 2 * a, 1 - 2 * b, tau);
+    return Momentum{p.hu + p.x, p.hv + p.y};
   });
   terms.faces[0] -= given.x + friction.x, terms.faces[1] -= given.y + friction.y;
 }
 
 void NocSolver::Impl::count_box_centre(const CellBox& box, int i, int j, double tau, BoxTerms& terms) const {
-  bool all[2][2], edge[2][2];
-  for (int a : {0, 1}) {
-    for (int b : {0, 1}) {
-      all[a][b] = true;
-      edge[a][b] = i + a == box.i0 || i + a == box.i1 || j + b == box.j0 || j + b == box.j1;
-    }
-  }
-  const Gathered got = gather_centre(i, j, tau);
-  const Settled s = settle(got);
-  const Momentum weight = noc::over(all, [&](int a, int b) {
-    const Point p = corners.point(corners.at(i + a, j + b));
-    return noc::weight(p, terrain, 2 * i + a, 2 * j + b, 1 - 2 * a, 1 - 2 * b, tau);
-  });
-  const Momentum back = noc::over(edge, [&](int a, int b) { return Momentum{got.part[a][b].hu, got.part[a][b].hv}; });
+  const auto giver = [&](int a, int b) { return corners.point(corners.at(i + a, j + b)); };
+  constexpr bool all[2][2] = {{true, true}, {true, true}};
+  const Momentum weight = noc::over(
+      all, [&](int a, int b) { return noc::weight(giver(a, b), terrain, 2 * i + a, 2 * j + b, 1 - 2 * a, 1 - 2 * b, tau); });
+  const int c = centres.at(i, j);
   terms.weight[0] += weight.x, terms.weight[1] += weight.y;
+  terms.friction[0] += centres.lost_x[c], terms.friction[1] += centres.lost_y[c];
+  if (i > box.i0 && i < box.i1 - 1 && j > box.j0 && j < box.j1 - 1) return;
+  bool edge[2][2];
+  for (int a : {0, 1}) {
+    for (int b : {0, 1}) edge[a][b] = i + a == box.i0 || i + a == box.i1 || j + b == box.j0 || j + b == box.j1;
+  }
+  const Momentum back = noc::over(edge, [&](int a, int b) {
+    const FlowState s = share(giver(a, b), 1 - 2 * a, 1 - 2 * b);
+    return Momentum{s.hu, s.hv};
+  });
   terms.faces[0] += back.x, terms.faces[1] += back.y;
-  terms.friction[0] += s.friction_x + s.cutoff_x, terms.friction[1] += s.friction_y + s.cutoff_y;
 }
 
 // The points that the half steps update, no others: what they do to a film beyond is dropped again.
-void NocSolver::Impl::count_boxes(double tau) {
+void NocSolver::Impl::count_boxes(HalfStep to, double tau) {
   const double area = settings.grid.dx * settings.grid.dy;
+  const bool to_corners = to == HalfStep::to_corners;
+  const int more = to_corners ? 1 : 0;
+  const Region& region = to_corners ? corner_region : near;
   for (noc::ControlBox& box : boxes) {
     const CellBox& own = box.cells;
-    std::vector<BoxTerms> to_corners(own.j1 + 1 - own.j0), to_centres(own.j1 - own.j0);
+    std::vector<BoxTerms> rows(own.j1 + more - own.j0);
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
-    for (int j = own.j0; j <= own.j1; ++j) {
-      const int row = j - own.j0;
-      for (int i = own.i0; i <= own.i1; ++i) {
-        if (corner_region.contains(i, j)) count_box_corner(own, i, j, tau, to_corners[row]);
-        if (own.contains(i, j) && near.contains(i, j)) count_box_centre(own, i, j, tau, to_centres[row]);
+    for (int j = own.j0; j < own.j1 + more; ++j) {
+      if (j < region.j0() || j >= region.j1()) continue;
+      const int begin = std::max(own.i0, region.begin(j)), end = std::min(own.i1 + more, region.end(j));
+      for (int i = begin; i < end; ++i) {
+        BoxTerms& row = rows[j - own.j0];
+        to_corners ? count_box_corner(own, i, j, tau, row) : count_box_centre(own, i, j, tau, row);
       }
     }
-    BoxTerms sum = noc::sum_rows(to_corners);
-    sum += noc::sum_rows(to_centres);
+    BoxTerms sum = noc::sum_rows(rows);
     for (auto* term : {&sum.faces, &sum.weight, &sum.friction}) (*term)[0] *= area, (*term)[1] *= area;
     box.terms += sum;
   }

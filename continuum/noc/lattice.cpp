@@ -14,7 +14,7 @@ namespace {
 // and far below what compression makes of the pressure.
 constexpr double round_off = 1e-10;
 
-constexpr int own_arrays = 8;  // beside those of the points
+constexpr int own_arrays = 10;  // beside those of the points
 
 int more(Lattice::Kind kind) {
   return kind == Lattice::Kind::corners ? 1 : 0;
@@ -35,7 +35,7 @@ Lattice::Lattice(Kind kind, const SolverSettings& s, const NocSettings& own, con
       terrain_(terrain),
       nx_(s.grid.nx + more(kind)),
       ny_(s.grid.ny + more(kind)) {
-  for (double** array : {&u_, &v_, &kx_, &ky_, &pull_x_, &pull_y_, &pull_}) *array = arrays.next();
+  for (double** array : {&u_, &v_, &kx_, &ky_, &pull_x_, &pull_y_, &pull_, &lost_x, &lost_y}) *array = arrays.next();
   for (double* k : {kx_, ky_}) std::fill(k, k + size_of(kind, s.grid), 1.0);
   for (int i = 0; i < nx_; ++i) {
     weight_.push_back(middle(i, &Terrain::weight));

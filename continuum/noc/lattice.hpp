@@ -42,10 +42,11 @@ class Lattice {
   // Of centres beyond a periodic side: what the cells at the other end have.
   void wrap_points();
 
-  Arrays arrays;        // of the points
-  Points points;        // ghosts included
-  Three& q = points.q;  // their states
-  double* locked;       // 1: at rest, held by friction, or dry; else 0
+  Arrays arrays;            // of the points
+  Points points;            // ghosts included
+  Three& q = points.q;      // their states
+  double* locked;           // 1: at rest, held by friction, or dry; else 0
+  double *lost_x, *lost_y;  // what friction, the end of films and the bound of the speed took in the last half step [m2/s]
   Point point(int c) const { return points.at(c); }
   double kx(int c) const { return kx_[c]; }
   double ky(int c) const { return ky_[c]; }

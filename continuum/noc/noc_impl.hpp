@@ -43,10 +43,10 @@ struct NocSolver::Impl {
     bool inside;
     int outflow = -1, inflow = -1;  // side
   };
-  // What a point gets from its four quadrants, [a][b]: a = 0 the lower one in x, b in y.
+  // What a corner gets from its four quadrants, [a][b]: a = 0 the lower one in x, b in y.
   struct Gathered {
     noc::Part part[2][2], all;
-    bool inside[2][2] = {};  // of the domain; of corners only
+    bool inside[2][2] = {};  // of the domain
     double reach = 0, held = 1;
     void add_up();
     double hu() const { return all.hu + all.x; }  // that all terms but friction give
@@ -104,9 +104,8 @@ struct NocSolver::Impl {
   Giver giver(int i, int j, int a, int b) const;
   void make_inflow(double tau);
   Gathered gather_corner(int i, int j, double tau) const;
-  Gathered gather_centre(int i, int j, double tau) const;
   void update_corner(int i, int j, double tau, RowSums&);
-  void book_centre(int i, int j, double tau, RowSums&) const;  // what its corners on a side give back to a cell
+  void book_centre(int i, int j, RowSums&) const;  // what its corners on a side give back to a cell
   noc::Ground ground(int k, int l) const;
   Settled settle(const Gathered& got) const { return noc::settle(got.all, got.reach, got.held, drag()); }
   static std::array<double, 2> friction_inside(const Settled&, const Gathered&, const noc::Part& in, double portion);
@@ -119,7 +118,9 @@ struct NocSolver::Impl {
   void count_sides();
   void count_obstacles(const Lattice& givers, const Region& receivers, double tau);
   void count_gauges();
-  void count_boxes(double tau);  // after both half steps are known, before the centres change
+  // To corners: before the centres change; to centres: after that.
+  enum class HalfStep { to_corners, to_centres };
+  void count_boxes(HalfStep, double tau);
   void count_box_corner(const CellBox& box, int i, int j, double tau, noc::BoxTerms&) const;
   void count_box_centre(const CellBox& box, int i, int j, double tau, noc::BoxTerms&) const;
   std::array<double, 2> momentum_in(const CellBox&) const;  // [m4/s]

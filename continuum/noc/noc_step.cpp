@@ -99,7 +99,7 @@ std::pair<int, int> NocSolver::Impl::inner(const Region& corners, int j) const {
 void NocSolver::Impl::copy_twins(int j) {
   const Grid& g = settings.grid;
   const auto copy = [&](int from, int to) {
-    for (double* a : {corners.q.h, corners.q.hu, corners.q.hv, corners.locked}) a[to] = a[from];
+    for (double* a : {corners.q.h, corners.q.hu, corners.q.hv, corners.locked, corners.lost_x, corners.lost_y}) a[to] = a[from];
   };
   if (periodic(0)) copy(corners.at(0, j), corners.at(g.nx, j));
   for (int i = 0; periodic(1) && j == 0 && i <= g.nx; ++i) copy(corners.at(i, 0), corners.at(i, g.ny));
@@ -131,18 +131,19 @@ void NocSolver::Impl::half_step_to_centres(double tau) {
   count_obstacles(corners, near, tau);
   count_sides();
   count_gauges();
-  count_boxes(tau);
+  count_boxes(HalfStep::to_corners, tau);
   const noc::Drag met = drag();
   const auto rows = by_strips(near, g.nx, settings.threads, [&](int j, noc::ColumnSums& columns, RowSums& sums) {
     const int begin = near.begin(j), end = near.end(j);
     if (!periodic(1) && (j == 0 || j == g.ny - 1)) {
-      for (int i = begin; i < end; ++i) book_centre(i, j, tau, sums);
+      for (int i = begin; i < end; ++i) book_centre(i, j, sums);
     } else if (!periodic(0)) {
-      if (begin == 0 && end > 0) book_centre(0, j, tau, sums);
-      if (end == g.nx && g.nx > 1) book_centre(g.nx - 1, j, tau, sums);
+      if (begin == 0 && end > 0) book_centre(0, j, sums);
+      if (end == g.nx && g.nx > 1) book_centre(g.nx - 1, j, sums);
     }
     receive_at_centres(centres, corners, terrain, met, j, begin, end, tau, columns);
   });
+  count_boxes(HalfStep::to_centres, tau);
   collect(first);
   collect(rows);
   put_inflow_right(2 * tau);

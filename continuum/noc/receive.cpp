@@ -52,6 +52,7 @@ void receive(Lattice& to, const Lattice& from, const Terrain& t, const Drag& all
   const Drag drag{all_drag.mu, all_drag.dry, friction, curved};
   const double* locked = from.locked;
   double *h = to.q.h + s.receiver, *hu = to.q.hu + s.receiver, *hv = to.q.hv + s.receiver;
+  double *lost_x = to.lost_x + s.receiver, *lost_y = to.lost_y + s.receiver;
   double* held_to = to.locked + s.receiver;
   double *gravity_x = sums.at(ColumnSums::gravity_x), *gravity_y = sums.at(ColumnSums::gravity_y);
   double *friction_x = sums.at(ColumnSums::friction_x), *friction_y = sums.at(ColumnSums::friction_y);
@@ -77,6 +78,7 @@ void receive(Lattice& to, const Lattice& from, const Terrain& t, const Drag& all
     const Settled out = settle(all, reach, held, drag);
     h[i] = all.h, hu[i] = out.hu, hv[i] = out.hv;
     if constexpr (!back) held_to[i] = held;
+    lost_x[i] = out.friction_x + out.cutoff_x, lost_y[i] = out.friction_y + out.cutoff_y;
     gravity_x[i] += all.x, gravity_y[i] += all.y;
     friction_x[i] += out.friction_x, friction_y[i] += out.friction_y;
     cutoff_x[i] += out.cutoff_x, cutoff_y[i] += out.cutoff_y;

@@ -29,6 +29,11 @@ namespace couloir::noc {
   return 0.25 * p.q.h + (cx * p.tilt_x.h + cy * p.tilt_y.h);
 }
 
+[[gnu::always_inline]] inline FlowState share(const Point& p, double cx, double cy) {
+  return {share_depth(p, cx, cy), 0.25 * p.q.hu + (cx * p.tilt_x.hu + cy * p.tilt_y.hu),
+          0.25 * p.q.hv + (cx * p.tilt_x.hv + cy * p.tilt_y.hv)};
+}
+
 // Depth of a quadrant at the half time, (3.11) [m].
 [[gnu::always_inline]] inline double quarter_depth(const Point& p, double cx, double cy) {
   return larger(0.0, p.half.h + cx * p.x.h + cy * p.y.h);
@@ -80,15 +85,9 @@ struct Part {
     along_x = brake * (mx * per), along_y = brake * (my * per);
     still = momentum > 0 ? 0.0 : brake;
   }
-  return {share_depth(p, cx, cy),
-          0.25 * p.q.hu + (cx * p.tilt_x.hu + cy * p.tilt_y.hu),
-          0.25 * p.q.hv + (cx * p.tilt_x.hv + cy * p.tilt_y.hv),
-          part * h * (g.drive - g.weight * g.rise_x),
-          part * h * (-g.weight * g.rise_y),
-          brake,
-          along_x,
-          along_y,
-          still};
+  const FlowState s = share(p, cx, cy);
+  return {s.h,     s.hu,    s.hv, part * h * (g.drive - g.weight * g.rise_x), part * h * (-g.weight * g.rise_y), brake,
+          along_x, along_y, still};
 }
 
 // Friction, film and the bound of the speed on the momentum that all other terms give.
