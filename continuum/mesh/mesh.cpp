@@ -201,6 +201,28 @@ int Mesh::pushed_by(const Block& b, int i, int j) const {
   for (const int found : {owner(0, 0), owner(-1, 0), owner(1, 0), owner(0, -1), owner(0, 1)}) {
     if (found >= 0) return found;
   }
+  if (levels_ == 0) return -1;
+  // A larger cell may have some of an elevation and its centre none; beside a change of level that is its parent.
+  const int l = std::max(b.level - 1, 0), up = b.level - l;
+  for (const auto& [di, dj] : {std::pair{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+    const int found = owner_in(l, wrapped(i + di, b.grid.nx) >> up, wrapped(j + dj, b.grid.ny) >> up);
+    if (found >= 0) return found;
+  }
+  return -1;
+}
+
+int Mesh::owner_in(int level, int i, int j) const {
+  const Grid g = grid_.refined(level), finest = grid_.refined(levels_);
+  const double x = g.x(i), y = g.y(j);
+  const auto reaches = [&](const StepObstacle& o) {
+    return o.x0 < x + g.dx && o.x1 > x - g.dx && o.y0 < y + g.dy && o.y1 > y - g.dy;
+  };
+  if (std::ranges::none_of(bed_.obstacles, reaches)) return -1;
+  const int n = 1 << (levels_ - level);
+  for (int c = 0; c < n * n; ++c) {
+    const int found = bed_.owner_at(finest.x(i * n + c % n), finest.y(j * n + c / n));
+    if (found >= 0) return found;
+  }
   return -1;
 }
 

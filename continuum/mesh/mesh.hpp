@@ -63,6 +63,7 @@ class Mesh {
   void lay_bed(Block&) const;
   double elevation(const Block&, int i, int j) const;  // of a cell of the block's grid
   int pushed_by(const Block&, int i, int j) const;     // of a cell of the block's grid
+  int owner_in(int level, int i, int j) const;         // obstacle whose elevation some of the finest cells in this one have
   void index();
 
   Grid grid_;

@@ -15,9 +15,12 @@ void give_to_coarser(const std::vector<GivenFace>& faces, const Block& b, const 
     sum.tangent += share * f.tangent[g.face];
     sum.normal += share * f.normal[g.face];
     const int below = g.face - axis.step;
-    if (!b.relief && b.top[below] == b.top[g.face]) continue;
-    const double weight = axis.weight[g.face % b.row()];
+    const bool same_top = b.top[below] == b.top[g.face];
+    if (!b.relief && same_top) continue;
     const double seen = g.coarser_below ? f.normal_below[g.face] : f.normal_above[g.face];
+    const bool level = same_top && b.bed[below] == b.bed[g.face] && seen == f.normal[g.face];
+    if (level) continue;  // no push: what passes is all
+    const double weight = axis.weight[g.face % b.row()];
     const double own =
         g.coarser_below ? pressure(v.h_hi[below], axis.k[below] * weight) : pressure(v.h_lo[g.face], axis.k[g.face] * weight);
     sum.push += share * (seen - f.normal[g.face] - own);

@@ -7,7 +7,7 @@
 //     coarse o----F        flux of the coarser face = mean of f1, f2 over both finer steps
 //            |    F f2
 //
-// On a bed with relief or at a step each side feels its own push, as everywhere (face_flux.hpp): the coarser cell its own
+// Where the bed rises at the face, or at a step, each side feels its own push, as everywhere (face_flux.hpp): the coarser cell its own
 // pressure p(h), and of the finer faces what goes beyond theirs.
 
 #include <vector>

@@ -8,7 +8,7 @@ namespace {
 const Grid grid{40, 30, 0.1, 0.1, 0, -1.5};
 
 std::vector<PatchPlace> lay(std::vector<RefineBox> boxes, bool periodic_y = false) {
-  return lay_patches(grid, {std::move(boxes)}, false, periodic_y, 2);
+  return lay_patches(grid, {std::move(boxes), {}}, false, periodic_y, 2);
 }
 
 void expect_box(const CellBox& is, const CellBox& should) {

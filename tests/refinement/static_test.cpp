@@ -76,6 +76,35 @@ StepBed hills(const SolverSettings& s) {
   return bed;
 }
 
+// Also where a body's elevation reaches into coarser cells whose centres it does not cover.
+TEST(StaticRefinement, AnObstacleTakesAllOfTheBedsPush) {
+  SolverSettings s = basin(30, 20, 0.05);
+  s.sides = sides(Side::Kind::outflow, Side::Kind::wall);
+  s.block = 4;
+  StepBed bed;
+  bed.obstacles.push_back({"ridge", 0.641, 1.012, -0.209, 0.209, 0});
+  bed.height = [](double x, double y) { return std::max(0.0, std::min({x - 0.641, 1.012 - x, y + 0.209, 0.209 - y})) * 0.5; };
+  bed.owner_at = [h = bed.height](double x, double y) { return h(x, y) > 0 ? 0 : -1; };
+  for (int j = 0; j < s.grid.ny; ++j) {
+    for (int i = 0; i < s.grid.nx; ++i) {
+      bed.elevation.push_back(bed.height(s.grid.x(i), s.grid.y(j)));
+      bed.owner.push_back(bed.owner_at(s.grid.x(i), s.grid.y(j)));
+    }
+  }
+  for (const RefineBox& box : {RefineBox{0.5, 0.8, -0.1, 0.3, 2, 0}, {0.7, 0.9, -0.1, 0.1, 2, 0}, {0.1, 0.2, -0.1, 0.1, 3, 0}}) {
+    SolverSettings own = refined(s, box);
+    own.block = 8;
+    Solver solver(own, ReferenceSurface::incline(degrees(20), 1.5), bed);
+    solver.set([](double x, double) { return FlowState{0.05 + 0.02 * x, 0.05, 0.01}; });
+    const int around = solver.add_control_box({10, 23, 2, 18});
+    solver.advance_to(0.2);
+    for (int q : {0, 1}) {
+      EXPECT_GT(std::abs(solver.control_box_impulse(around)[q]), 1e-7);
+      EXPECT_NEAR(solver.obstacle_impulse(0)[q], solver.control_box_impulse(around)[q], 1e-14) << box.levels;
+    }
+  }
+}
+
 TEST(StaticRefinement, ALakeStaysAtRest) {
   const SolverSettings set = three_levels(Side::Kind::wall);
   const StepBed bed = hills(set);
