@@ -213,6 +213,19 @@ TEST(NocNested, ParentsHoldTheCopiedSolution) {
       }
     }
   }
+  const auto blocks = s.blocks();
+  ASSERT_EQ(blocks.size(), 3u);
+  EXPECT_EQ(blocks[0], (BlockPlace{0, 0, 0, 60, 40}));
+  std::vector<double> h, hu, hv;
+  for (int p : {0, 1}) {
+    const Grid g = s.patch_grid(p);
+    const BlockPlace& b = blocks[p + 1];
+    EXPECT_EQ(b, (BlockPlace{p + 1, static_cast<int>(std::lround(g.x0 / g.dx)),
+                             static_cast<int>(std::lround((g.y0 - s.grid().y0) / g.dy)), g.nx, g.ny}));
+    s.gather_block(p + 1, h, hu, hv);
+    ASSERT_EQ(h.size(), static_cast<std::size_t>(g.nx * g.ny));
+    EXPECT_EQ(hu[5 * g.nx + 7], s.patch_at(p, 7, 5).hu);
+  }
   const int i = two.nx / 2, j = two.ny / 2;
   EXPECT_NEAR(s.interpolated(two.x(i), two.y(j)).h, s.patch_at(1, i, j).h, 1e-14);
   EXPECT_GT(s.patch_at(1, i, j).h, 0.001);
@@ -385,6 +398,9 @@ TEST(NocNested, WrongBoxesAreRefused) {
   EXPECT_THROW(build({2.5, 3, 0, 0.5, 1, 0}), std::invalid_argument);
   EXPECT_THROW(build({0.5, 1, 0, 0.5, 0, 0}), std::invalid_argument);
   EXPECT_THROW(build({0.5, 1, 0, 0.5, 1, -1}), std::invalid_argument);
+  SolverSettings adaptive = basin(20, 20, 0.1);
+  adaptive.refinement.adaptive.levels = 1;
+  EXPECT_THROW(NestedNoc(adaptive, ReferenceSurface::flat(2), {}), std::invalid_argument);
   SolverSettings one = basin(20, 20, 0.1);
   one.refinement.boxes.push_back({0.5, 1, 0, 0.5, 1, 0});
   EXPECT_THROW(NocSolver(one, ReferenceSurface::flat(2), {}), std::invalid_argument);
