@@ -26,7 +26,7 @@ namespace couloir {
 
 class NestedNoc final : public FlowModel {
  public:
-  // Patches: by settings.refinement. Throws std::invalid_argument where settings or boxes do not fit.
+  // Patches: by settings.refinement. Throws std::invalid_argument where settings or boxes do not fit, and where it is adaptive.
   NestedNoc(const SolverSettings&, const ReferenceSurface&, const NocBed&, const NocSettings& = {});
   ~NestedNoc() override;
   NestedNoc(NestedNoc&&) noexcept;
@@ -40,7 +40,7 @@ class NestedNoc final : public FlowModel {
   void set(int i, int j, const FlowState&) override;                       // a base cell, uniform
   FlowState at(int i, int j) const override;
   void gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const override;
-  std::vector<BlockPlace> blocks() const override;  // the base grid, then the patches
+  std::vector<BlockPlace> blocks() const override;  // the base grid, then the patches without their rims, parents first
   void gather_block(int, std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const override;
   void for_finest(double x0, double x1, double y0, double y1, const std::function<void(const Sample&)>&) const override;
   FlowState interpolated(double x, double y) const override;

@@ -8,7 +8,9 @@ namespace {
 const Grid grid{40, 30, 0.1, 0.1, 0, -1.5};
 
 std::vector<PatchPlace> lay(std::vector<RefineBox> boxes, bool periodic_y = false) {
-  return lay_patches(grid, {std::move(boxes), {}}, false, periodic_y, 2);
+  Refinement refinement;
+  refinement.boxes = std::move(boxes);
+  return lay_patches(grid, refinement, false, periodic_y, 2);
 }
 
 void expect_box(const CellBox& is, const CellBox& should) {

@@ -74,6 +74,26 @@ void NestedNoc::gather(std::vector<double>& h, std::vector<double>& hu, std::vec
   impl_->base().gather(h, hu, hv);
 }
 
+std::vector<BlockPlace> NestedNoc::blocks() const {
+  std::vector<BlockPlace> places;
+  for (const noc::Nest& n : impl_->nests) {
+    const CellBox& own = n.inside;
+    places.push_back({n.level, n.i0 + own.i0, n.j0 + own.j0, own.i1 - own.i0, own.j1 - own.j0});
+  }
+  return places;
+}
+
+void NestedNoc::gather_block(int block, std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const {
+  const noc::Nest& n = impl_->nests.at(block);
+  h.clear(), hu.clear(), hv.clear();
+  for (int j = n.inside.j0; j < n.inside.j1; ++j) {
+    for (int i = n.inside.i0; i < n.inside.i1; ++i) {
+      const FlowState q = n.solver.at(i, j);
+      h.push_back(q.h), hu.push_back(q.hu), hv.push_back(q.hv);
+    }
+  }
+}
+
 void NestedNoc::for_finest(double x0, double x1, double y0, double y1, const std::function<void(const Sample&)>& f) const {
   // What lies beyond the domain is moved to its side, just within.
   const Grid& g = grid();

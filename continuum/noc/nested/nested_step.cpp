@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "continuum/errors.hpp"
 #include "continuum/noc/nested/nested_impl.hpp"
@@ -10,6 +11,10 @@ namespace couloir {
 
 NestedNoc::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, const NocBed& bed, const NocSettings& own)
     : obstacles(static_cast<int>(bed.obstacles.size())) {
+  if (s.refinement.adaptive.levels > 0) {
+    throw std::invalid_argument(
+        "The scheme noc refines where it is told to, not where the flow asks for it; give boxes, or use central_upwind.");
+  }
   const auto periodic = [&](int side) { return s.sides[side].kind == Side::Kind::periodic; };
   const auto places = noc::lay_patches(s.grid, s.refinement, periodic(0), periodic(2), noc::rim_width(s.limiter) / 2);
   nests.reserve(places.size() + 1);
