@@ -209,30 +209,6 @@ FlowState NestedNoc::patch_at(int patch, int i, int j) const {
   return n.solver.at(i + n.inside.i0, j + n.inside.j0);
 }
 
-std::vector<BlockPlace> NestedNoc::blocks() const {
-  const Grid& base = grid();
-  std::vector<BlockPlace> all{{0, 0, 0, base.nx, base.ny}};
-  for (int k = 0; k < patches(); ++k) {
-    const Grid g = patch_grid(k);
-    const int i0 = static_cast<int>(std::lround((g.x0 - base.x0) / g.dx)),
-              j0 = static_cast<int>(std::lround((g.y0 - base.y0) / g.dy));
-    all.push_back({level(k), i0, j0, g.nx, g.ny});
-  }
-  return all;
-}
-
-void NestedNoc::gather_block(int block, std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const {
-  if (block == 0) return gather(h, hu, hv);
-  h.clear(), hu.clear(), hv.clear();
-  const Grid g = patch_grid(block - 1);
-  for (int j = 0; j < g.ny; ++j) {
-    for (int i = 0; i < g.nx; ++i) {
-      const FlowState q = patch_at(block - 1, i, j);
-      h.push_back(q.h), hu.push_back(q.hu), hv.push_back(q.hv);
-    }
-  }
-}
-
 std::vector<std::uint8_t> NestedNoc::checkpoint() const {
   const Impl& m = *impl_;
   ByteWriter put;
