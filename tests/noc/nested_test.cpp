@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "continuum/noc/nested/nest.hpp"
-#include "continuum/noc/nested_noc.hpp"
-#include "noc_scenes.hpp"
+#include "nested_scenes.hpp"
 #include "tests/continuum/bodies.hpp"
 
 namespace couloir::test {
