@@ -108,7 +108,7 @@ def draw_mesh(axes, run, frame):
         a, b = x[0] + (np.array([i0, i0 + nx]) / 2.0**level - 0.5) * dx
         c, d = y[0] + (np.array([j0, j0 + ny]) / 2.0**level - 0.5) * dy
         outlines = np.stack([np.stack(corner, axis=-1) for corner in ((a, c), (b, c), (b, d), (a, d), (a, c))], axis=1)
-        axes.add_collection(LineCollection(outlines * MM, colors=style.INK if level else style.GREY, linewidths=0.5, zorder=3))
+        axes.add_collection(LineCollection(outlines * MM, colors=style.INK if level else style.GREY, linewidths=0.5, zorder=5))
 
 
 def mesh_view(run, path):

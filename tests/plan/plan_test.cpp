@@ -38,11 +38,11 @@ TEST(Plan, OfTheWall) {
 TEST(Plan, SaysTheScheme) {
   const Overrides noc = {{"mode", "continuum"}, {"continuum.scheme", "noc"}, {"continuum.limiter", "eno"}, {"obstacles", "{}"}};
   const Plan plan = make_plan(experiment("chiou_wall", noc));
-  EXPECT_THAT(plan_text(plan), HasSubstr("scheme     noc, limiter eno\n"));
+  EXPECT_THAT(plan_text(plan), HasSubstr("scheme     noc, limiter eno; instructions "));
   EXPECT_EQ(plan_json(plan)["continuum"]["scheme"], "noc");
   EXPECT_EQ(solver_settings(experiment("chiou_wall", noc)).limiter, Limiter::eno);
   const Plan upwind = make_plan(experiment("chiou_wall", {{"mode", "continuum"}, {"obstacles", "{}"}}));
-  EXPECT_THAT(plan_text(upwind), HasSubstr("scheme     central_upwind, limiter minmod\n"));
+  EXPECT_THAT(plan_text(upwind), HasSubstr("scheme     central_upwind, limiter minmod; instructions "));
   EXPECT_DOUBLE_EQ(plan.dt, 2 * upwind.dt);  // a step of noc is a pair
 }
 
