@@ -8,7 +8,7 @@ ALLOWED = {
     "continuum/isa": [],
     "continuum/flow": ["continuum/errors.hpp"],
     "continuum/terrain": ["continuum/errors.hpp"],
-    "continuum/mesh": ["continuum/flow", "continuum/terrain", "continuum/errors.hpp"],
+    "continuum/mesh": ["continuum/flow", "continuum/terrain", "continuum/bytes.hpp", "continuum/errors.hpp"],
     "continuum/boundary": ["continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/errors.hpp"],
     "continuum/scheme": ["continuum/isa", "continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/boundary", "continuum/errors.hpp"],
     "continuum/noc": ["continuum/isa", "continuum/flow", "continuum/terrain", "continuum/mesh", "continuum/boundary", "continuum/scheme",
