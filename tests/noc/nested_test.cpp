@@ -1,57 +1,13 @@
-// Nested grids: transfer, flows through patches, conservation but for the copying, bits.
+// Nested grids: transfer, flows through patches, conservation but for the copying.
 
 #include <gtest/gtest.h>
 
 #include "continuum/noc/nested/nest.hpp"
-#include "continuum/noc/nested_noc.hpp"
-#include "noc_scenes.hpp"
+#include "nested_scenes.hpp"
 #include "tests/continuum/bodies.hpp"
 
 namespace couloir::test {
 namespace {
-
-// The heap that slides over the bump of heap_on_bump(), with a patch over a part of both.
-NestedNoc nested_heap(int threads, int levels, double mirror = 1, Limiter limiter = Limiter::minmod,
-                      std::array<Side, 4> s4 = sides(Side::Kind::outflow, Side::Kind::wall)) {
-  SolverSettings s;
-  s.grid = {60, 40, 1.0 / 64, 1.0 / 64, 0, -20.0 / 64};
-  s.closure = quartz();
-  s.sides = s4;
-  s.threads = threads;
-  s.limiter = limiter;
-  const double y = mirror > 0 ? -0.1 : -0.2;
-  s.refinement.boxes.push_back({0.4, 0.65, y, y + 0.3, levels, 0});
-  NocBed bed;
-  bed.obstacles.push_back([mirror](double x, double y) {
-    const double a = (x - 0.55) / 0.09, b = (mirror * y - 0.05) / 0.15;
-    return std::max(0.0, 0.05 * (1 - a * a - b * b));
-  });
-  NestedNoc solver(s, ReferenceSurface::chute(degrees(35), 0.6, 0.2, 0.2), bed);
-  solver.set([&](double x, double y) {
-    const double r2 = ((x - 0.3) * (x - 0.3) + (mirror * y - 0.03) * (mirror * y - 0.03)) / 0.04;
-    const double h = r2 < 1 ? 0.12 * (1 - r2) : 0.0;
-    return FlowState{h, 1.5 * h, 0.1 * mirror * h};
-  });
-  return solver;
-}
-
-// All states of all grids.
-std::vector<double> all_of(const NestedNoc& s) {
-  const Bits b = bits_of(s);
-  std::vector<double> all = b.h;
-  all.insert(all.end(), b.hu.begin(), b.hu.end());
-  all.insert(all.end(), b.hv.begin(), b.hv.end());
-  for (int p = 0; p < s.patches(); ++p) {
-    const Grid g = s.patch_grid(p);
-    for (int j = 0; j < g.ny; ++j) {
-      for (int i = 0; i < g.nx; ++i) {
-        const FlowState q = s.patch_at(p, i, j);
-        all.insert(all.end(), {q.h, q.hu, q.hv});
-      }
-    }
-  }
-  return all;
-}
 
 // The rim is bilinear in space and linear in time, so linear fields are passed on as they are.
 TEST(NocNested, LinearFieldIsTransferredExactly) {
@@ -283,71 +239,6 @@ TEST(NocNested, ControlBoxesSeeThePushAndGaugesTheFlow) {
   EXPECT_NEAR(s.gauge(gauge), beyond - s.budget().mass_boundary, 0.03 * s.volume());
 }
 
-TEST(NocNested, CheckpointContinuesToTheSameBits) {
-  NestedNoc whole = nested_heap(1, 2);
-  whole.add_gauge(30, 0, 40), whole.add_control_box({25, 47, 8, 36});
-  whole.advance_to(0.1);
-  whole.reset_budget();
-  whole.advance_to(0.15);
-  const auto bytes = whole.checkpoint();
-  whole.advance_to(0.25);
-  NestedNoc again = nested_heap(2, 2);
-  again.advance_to(0.05);
-  again.restore(bytes);
-  EXPECT_EQ(again.time(), 0.15);
-  again.advance_to(0.25);
-  EXPECT_EQ(all_of(again), all_of(whole));
-  EXPECT_EQ(again.checkpoint(), whole.checkpoint());
-  EXPECT_EQ(again.gauge(0), whole.gauge(0));
-  EXPECT_EQ(again.copy_drift(), whole.copy_drift());
-  EXPECT_EQ(again.control_box_impulse(0), whole.control_box_impulse(0));
-  EXPECT_THROW(nested_heap(1, 1).restore(bytes), std::invalid_argument);
-}
-
-TEST(NocNested, MirroredSceneGivesMirroredBits) {
-  for (Side::Kind across : {Side::Kind::wall, Side::Kind::periodic, Side::Kind::outflow}) {
-    const auto s4 = sides(Side::Kind::outflow, across);
-    NestedNoc one = nested_heap(1, 2, 1, Limiter::minmod, s4), other = nested_heap(3, 2, -1, Limiter::minmod, s4);
-    one.advance_to(0.2), other.advance_to(0.2);
-    EXPECT_EQ(one.steps(), other.steps());
-    ASSERT_EQ(one.patches(), 2);
-    EXPECT_EQ(one.copy_drift(), other.copy_drift());
-    EXPECT_EQ(one.obstacle_impulse(0)[0], other.obstacle_impulse(0)[0]);
-    EXPECT_EQ(one.obstacle_impulse(0)[1], -other.obstacle_impulse(0)[1]);
-    for (int p = 0; p < 2; ++p) {
-      const Grid g = one.patch_grid(p);
-      for (int j = 0; j < g.ny; ++j) {
-        for (int i = 0; i < g.nx; ++i) {
-          const FlowState a = one.patch_at(p, i, j), b = other.patch_at(p, i, g.ny - 1 - j);
-          ASSERT_EQ(a.h, b.h) << i << " " << j;
-          ASSERT_EQ(a.hu, b.hu);
-          ASSERT_EQ(a.hv, -b.hv);
-        }
-      }
-    }
-    for (int j = 0; j < 40; ++j) {
-      for (int i = 0; i < 60; ++i) ASSERT_EQ(one.at(i, j).hv, -other.at(i, 39 - j).hv);
-    }
-  }
-}
-
-// Sides of the domain run through patches, with an inflow among them.
-TEST(NocNested, PatchesOnTheDomainsSides) {
-  SolverSettings s = basin(60, 20, 0.02);
-  s.sides[0] = {Side::Kind::inflow, 0.05, 2.0};
-  s.sides[1].kind = Side::Kind::outflow;
-  s.refinement.boxes = {{0, 0.2, -0.2, 0.2, 1, 0}, {1.1, 1.2, -0.2, 0.0, 1, 0}};
-  NestedNoc solver(s, ReferenceSurface::flat(1.2), {});
-  solver.advance_to(0.3);
-  EXPECT_NEAR(solver.volume(), solver.budget().mass_boundary + solver.copy_drift(), 1e-13 * solver.volume());
-  EXPECT_NEAR(solver.budget().mass_inflow, 0.05 * 2 * 0.3 * 0.4, 1e-12);
-  solver.advance_to(3);
-  solver.for_finest(0, 1.2, -0.2, 0.2, [](const FlowModel::Sample& c) {
-    ASSERT_NEAR(c.q.h, 0.05, 1e-7) << c.x << " " << c.y;
-    ASSERT_NEAR(c.q.hu, 0.1, 1e-7);
-  });
-}
-
 // A block runs at a cuboid: with each level the depth on it comes nearer to that of a fine grid all over.
 TEST(NocNested, LevelsComeNearerToTheFineGrid) {
   const auto depth_on_top = [](int n, int levels, double* cost) {
@@ -386,24 +277,6 @@ TEST(NocNested, LevelsComeNearerToTheFineGrid) {
               two, fine, cost[0], cost[1], cost[2], cost[3]);
   EXPECT_LT(std::abs(one - fine), 0.75 * std::abs(base - fine));
   EXPECT_LT(std::abs(two - fine), 0.25 * std::abs(one - fine));
-}
-
-TEST(NocNested, WrongBoxesAreRefused) {
-  const auto build = [](const RefineBox& box) {
-    SolverSettings s = basin(20, 20, 0.1);
-    s.refinement.boxes.push_back(box);
-    NestedNoc(s, ReferenceSurface::flat(2), {});
-  };
-  EXPECT_THROW(build({1, 1, 0, 0.5, 1, 0}), std::invalid_argument);
-  EXPECT_THROW(build({2.5, 3, 0, 0.5, 1, 0}), std::invalid_argument);
-  EXPECT_THROW(build({0.5, 1, 0, 0.5, 0, 0}), std::invalid_argument);
-  EXPECT_THROW(build({0.5, 1, 0, 0.5, 1, -1}), std::invalid_argument);
-  SolverSettings adaptive = basin(20, 20, 0.1);
-  adaptive.refinement.adaptive.levels = 1;
-  EXPECT_THROW(NestedNoc(adaptive, ReferenceSurface::flat(2), {}), std::invalid_argument);
-  SolverSettings one = basin(20, 20, 0.1);
-  one.refinement.boxes.push_back({0.5, 1, 0, 0.5, 1, 0});
-  EXPECT_THROW(NocSolver(one, ReferenceSurface::flat(2), {}), std::invalid_argument);
 }
 
 }  // namespace
