@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuum/isa/clones.hpp"
 #include "continuum/noc/share.hpp"
 #include "continuum/scheme/effects.hpp"
 #include "continuum/scheme/min_max.hpp"
@@ -75,7 +76,7 @@ void Lattice::lay_pull() {
 }
 
 // Two cells more on each side: for the slopes of the region's velocities.
-void Lattice::find_velocity(const Region& region) {
+COULOIR_CLONES void Lattice::find_velocity(const Region& region) {
   const double dry = s_.dry_depth;
   const double *h = q.h, *hu = q.hu, *hv = q.hv;
   double *u = u_, *v = v_;
@@ -107,7 +108,7 @@ double Lattice::find_state(const Region& region) {
 }
 
 template <bool earth_pressure>
-double Lattice::find_rate(int j, int i0, int i1) {
+COULOIR_CLONES double Lattice::find_rate(int j, int i0, int i1) {
   const EarthPressure k = s_.closure.earth_pressure;
   const int r = row();
   const double dry = s_.dry_depth, per_dx = 1 / s_.grid.dx, per_dy = 1 / s_.grid.dy;

@@ -5,6 +5,7 @@
 
 #include "continuum/flow/flux.hpp"
 #include "continuum/flow/friction.hpp"
+#include "continuum/isa/clones.hpp"
 #include "continuum/noc/lattice.hpp"
 #include "continuum/noc/share.hpp"
 #include "continuum/noc/slopes.hpp"
@@ -39,7 +40,7 @@ void Lattice::prepare(const Region& region, double tau) {
 }
 
 template <class S, bool velocity_slopes>
-void Lattice::find_slopes(int j, int i0, int i1) {
+COULOIR_CLONES void Lattice::find_slopes(int j, int i0, int i1) {
   const int r = row(), begin = at(0, j);
   const double dry = s_.dry_depth;
   const double *h = q.h + begin, *u = u_ + begin, *v = v_ + begin;
@@ -66,7 +67,7 @@ void Lattice::find_slopes(int j, int i0, int i1) {
 // (3.8) with the Jacobian (3.9); friction may stop the flow here as it may in the corrector. What is locked or dry stays as it
 // is.
 template <bool friction>
-void Lattice::predict(int j, int i0, int i1, double tau) {
+COULOIR_CLONES void Lattice::predict(int j, int i0, int i1, double tau) {
   const int begin = at(0, j);
   const double dry = s_.dry_depth, mu = s_.closure.tan_delta;
   const double ax = 2 * tau / s_.grid.dx, ay = 2 * tau / s_.grid.dy;  // tau/2 times four quarters by the spacing

@@ -4,6 +4,7 @@
 #include <array>
 #include <type_traits>
 
+#include "continuum/isa/clones.hpp"
 #include "continuum/scheme/effects.hpp"
 
 namespace couloir::noc {
@@ -45,8 +46,8 @@ Stencil stencil(const Lattice& to, const Lattice& from, const Terrain& t, int j,
 }
 
 template <bool back, bool friction, bool curved, bool relief>
-void receive(Lattice& to, const Lattice& from, const Terrain& t, const Drag& all_drag, int j, int i0, int i1, double tau,
-             ColumnSums& sums) {
+COULOIR_CLONES void receive(Lattice& to, const Lattice& from, const Terrain& t, const Drag& all_drag, int j, int i0, int i1,
+                            double tau, ColumnSums& sums) {
   const Stencil s = stencil(to, from, t, j, back);
   const Points points = from.points, own = to.points;
   const Drag drag{all_drag.mu, all_drag.dry, friction, curved};
@@ -127,7 +128,7 @@ void receive_at_centres(Lattice& centres, const Lattice& corners, const Terrain&
   receive_row<true>(centres, corners, t, drag, j, i0, i1, tau, sums);
 }
 
-double least_at_corners(const Lattice& centres, int j, int i0, int i1) {
+COULOIR_CLONES double least_at_corners(const Lattice& centres, int j, int i0, int i1) {
   const Points points = centres.points;
   const int below = centres.at(0, j - 1), above = centres.at(0, j);
   double least = 0;
@@ -140,7 +141,7 @@ double least_at_corners(const Lattice& centres, int j, int i0, int i1) {
   return least;
 }
 
-double least_at_centres(const Lattice& centres, const Lattice& corners, int j, int i0, int i1) {
+COULOIR_CLONES double least_at_centres(const Lattice& centres, const Lattice& corners, int j, int i0, int i1) {
   const Points points = corners.points, own = centres.points;
   const int below = corners.at(0, j), above = corners.at(0, j + 1), cell = centres.at(0, j);
   const double* locked = corners.locked;
