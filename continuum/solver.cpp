@@ -44,8 +44,8 @@ void Solver::set(const std::function<FlowState(double x, double y)>& state) {
     for (BlockState& s : m.states) s.wet = false;
     m.for_cells([&](int k, int c) {
       const Block& b = m.mesh.blocks()[k];
-      const int i = b.i0 + c % b.row() - Block::ghosts, j = b.j0 + c / b.row() - Block::ghosts;
-      m.put_in(k, c, state(b.grid.x(i), b.grid.y(j)));
+      const auto [i, j] = b.local(c);
+      m.put_in(k, c, state(b.grid.x(b.i0 + i), b.grid.y(b.j0 + j)));
       if (with_earth_pressure(m.parameters)) m.states[k].passive_x[c] = m.states[k].passive_y[c] = 0;
     });
   };
@@ -76,9 +76,9 @@ void Solver::gather(std::vector<double>& h, std::vector<double>& hu, std::vector
   const Grid& g = grid();
   const std::size_t n = static_cast<std::size_t>(g.nx) * g.ny;
   h.resize(n), hu.resize(n), hv.resize(n);
-  for (std::size_t k = 0; k < impl_->states.size(); ++k) {
+  const bool uniform = impl_->settings.refinement.empty();
+  for (std::size_t k = 0; uniform && k < impl_->states.size(); ++k) {
     const Block& b = impl_->mesh.blocks()[k];
-    if (b.level > 0) continue;
     const Fields& q = impl_->states[k].now;
     for (int j = 0; j < b.ny; ++j) {
       const std::size_t to = static_cast<std::size_t>(b.j0 + j) * g.nx + b.i0;
@@ -87,8 +87,7 @@ void Solver::gather(std::vector<double>& h, std::vector<double>& hu, std::vector
       std::copy_n(&q.hv[b.at(0, j)], b.nx, &hv[to]);
     }
   }
-  if (impl_->settings.refinement.empty()) return;
-  for (int j = 0; j < g.ny; ++j) {
+  for (int j = 0; !uniform && j < g.ny; ++j) {
     for (int i = 0; i < g.nx; ++i) {
       const std::size_t to = static_cast<std::size_t>(j) * g.nx + i;
       const FlowState q = impl_->get(i, j);

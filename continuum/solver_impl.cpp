@@ -51,8 +51,12 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
     forest = std::make_unique<Forest>(mesh.blocks_x(), mesh.blocks_y(), around_x, around_y, s.refinement.levels(), s.ranks);
     refine_boxes();
   }
+  start_empty();
+}
+
+void Solver::Impl::start_empty() {
   lay_blocks();
-  states.resize(mesh.blocks().size());
+  states = std::vector<BlockState>(mesh.blocks().size());
   for (std::size_t k = 0; k < states.size(); ++k) size(states[k], mesh.blocks()[k]);
   deal();
 }
@@ -108,7 +112,7 @@ void Solver::Impl::lay_level_faces() {
     const int k = static_cast<int>(n), row = b.row();
     for (const Ghosts::Copy& c : ghosts->finer(k)) {
       beside_finer[n] = 1;
-      const int i = c.to % row - Block::ghosts, j = c.to / row - Block::ghosts;
+      const auto [i, j] = b.local(c.to);
       const bool in_rows = j >= 0 && j < b.ny, in_columns = i >= 0 && i < b.nx;
       const bool low_x = i == -1 && in_rows, high_x = i == b.nx && in_rows, low_y = j == -1 && in_columns,
                  high_y = j == b.ny && in_columns;

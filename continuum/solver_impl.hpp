@@ -62,6 +62,7 @@ struct Solver::Impl {
   void look_ahead(int level, double from, double to, double dt);
   void choose(int level, bool corrector);  // blocks with material in them or beside them
   void set_inflow(double at, Moment = Moment::after);
+  void set_inflow(double from, double to);  // at the first of these times, and the mean discharge between them
   // Of the blocks that step, and of one; shares: those of the passive state, too.
   void fill_ghosts(int level, double share, bool shares);
   void fill_block(int block, double share, bool shares);
@@ -83,14 +84,14 @@ struct Solver::Impl {
 
   // The mesh.
   void fill_all_ghosts();
-  void lay_blocks();  // all that goes with the mesh's blocks but their states
+  void start_empty();  // on the mesh as it is
+  void lay_blocks();   // all that goes with the mesh's blocks but their states
   void size(BlockState&, const Block&) const;
   void lay_level_faces();
   void take_leaves(const std::vector<Leaf>&);  // an empty mesh of these blocks
   void refine_boxes();                         // as the settings' boxes want
   bool adapt();                                // as the state wants; false: the mesh is right
   void wish_by_state(std::vector<Wish>&) const;
-  bool grow(const std::vector<Wish>&);  // by one level at most, anywhere
   void become(const std::vector<Leaf>&);
   void take_from_parent(int block, const Block& parent, const BlockState& held);
   void take_from_children(int block, const Mesh& old, const std::vector<BlockState>& held);

@@ -15,7 +15,8 @@ constexpr int children[][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
 }  // namespace
 
 void Solver::Impl::refine_boxes() {
-  while (grow(wishes_of(settings.refinement.boxes))) mesh.become(forest->leaves());
+  grow_fully(*forest, wishes_of(settings.refinement.boxes), settings.grid, settings.block);
+  if (!settings.refinement.empty()) mesh.become(forest->leaves());
 }
 
 void Solver::Impl::take_leaves(const std::vector<Leaf>& leaves) {
@@ -26,15 +27,7 @@ void Solver::Impl::take_leaves(const std::vector<Leaf>& leaves) {
   mesh.become(forest->leaves());
   if (mesh.leaves() != leaves)
     throw std::invalid_argument("The checkpoint's blocks are no mesh of this continuum; restore it with its own scene.");
-  lay_blocks();
-  states = std::vector<BlockState>(mesh.blocks().size());
-  for (std::size_t k = 0; k < states.size(); ++k) size(states[k], mesh.blocks()[k]);
-  deal();
-}
-
-// One level a time, so that no block's new cells are more than one level away from its old ones.
-bool Solver::Impl::grow(const std::vector<Wish>& wishes) {
-  return forest->adapt([&](const Leaf& leaf) { return wished_level(wishes, leaf, settings.grid, settings.block); });
+  start_empty();
 }
 
 bool Solver::Impl::adapt() {
@@ -44,7 +37,8 @@ bool Solver::Impl::adapt() {
   fill_all_ghosts();
   std::vector<Wish> all = wishes_of(settings.refinement.boxes);
   wish_by_state(all);
-  if (!grow(all)) return false;
+  // One level a time, so that no block's new cells are more than one level away from its old ones.
+  if (!grow(*forest, all, settings.grid, settings.block)) return false;
   become(forest->leaves());
   return true;
 }

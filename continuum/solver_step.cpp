@@ -77,7 +77,8 @@ std::vector<double> Solver::Impl::begin(int level, double at, double share) {
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
     for (int k = 0; k < n; ++k) {
       const int b = own[k];
-      rates[b] = kernels.begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()], levels[l].strained);
+      rates[b] = kernels.begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()],
+                                    levels[l].strained);
     }
     levels[l].strained = 0;
     if (with_earth_pressure(parameters)) halo.tell_passive(l, states);
@@ -108,15 +109,14 @@ bool Solver::Impl::advance(int level, double from, double to, double dt, double 
     const double middle = from + 0.5 * dt;
     if (!advance(level + 1, from, middle, 0.5 * dt, 0)) return false;
     if (!advance(level + 1, middle, to, 0.5 * dt, 0.5)) return false;
+    halo.tell_fluxes(level, across);
   }
-  if (level + 1 < static_cast<int>(levels.size())) halo.tell_fluxes(level, across);
   choose(level, false);
   look(level, levels[level].chosen);
   for (int k : levels[level].own) {
     if (!states[k].begun) fill_block(k, share, true);  // material has come near while the finer levels stepped
   }
-  set_inflow(from);
-  for (int side = 0; side < 4; ++side) parameters.discharge[side] = mean_discharge(settings.sides[side], from, to);
+  set_inflow(from, to);
   if (!run(level, StageName::predictor, dt)) return false;
   choose(level, true);
   set_inflow(to, Moment::before);
@@ -127,8 +127,7 @@ bool Solver::Impl::advance(int level, double from, double to, double dt, double 
 
 // The predictor, for the sake of what it says of the cells beside finer ones.
 void Solver::Impl::look_ahead(int level, double from, double to, double dt) {
-  for (int side = 0; side < 4; ++side) parameters.discharge[side] = mean_discharge(settings.sides[side], from, to);
-  set_inflow(from);
+  set_inflow(from, to);
   std::vector<int> beside;
   for (int k : levels[level].own) {
     if (beside_finer[k]) beside.push_back(k);
@@ -179,6 +178,11 @@ void Solver::Impl::choose(int level, bool corrector) {
 void Solver::Impl::set_inflow(double at, Moment moment) {
   ghosts->set_time(at, moment);
   for (int side = 0; side < 4; ++side) parameters.inflow[side] = inflow_at(settings.sides[side], at, moment);
+}
+
+void Solver::Impl::set_inflow(double from, double to) {
+  set_inflow(from);
+  for (int side = 0; side < 4; ++side) parameters.discharge[side] = mean_discharge(settings.sides[side], from, to);
 }
 
 void Solver::Impl::fill_ghosts(int level, double share, bool shares) {

@@ -19,8 +19,8 @@ void Solver::Impl::uncover() {
 void Solver::Impl::mark_open() {
   for_cells([&](int k, int c) {
     const Block& b = mesh.blocks()[k];
-    const int i = b.i0 + c % b.row() - Block::ghosts, j = b.j0 + c / b.row() - Block::ghosts;
-    states[k].open[c] = zone.box().contains(i >> b.level, j >> b.level) ? 0.0 : 1.0;
+    const auto [i, j] = b.local(c);
+    states[k].open[c] = zone.box().contains((b.i0 + i) >> b.level, (b.j0 + j) >> b.level) ? 0.0 : 1.0;
   });
   for (std::size_t k = 0; k < states.size(); ++k) ghosts->fill_open(states, static_cast<int>(k));
 }

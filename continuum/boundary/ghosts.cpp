@@ -155,7 +155,7 @@ void Ghosts::extend(Mesh& mesh) {
       for (const Copy& c : plans_[k].finer) {
         const Block& other = mesh.blocks()[c.from.block];
         b.bed[c.to] = mean_of_children(other.bed.data(), c.from.cell, other.row());
-        const int i = c.from.cell % other.row() - Block::ghosts, j = c.from.cell / other.row() - Block::ghosts;
+        const auto [i, j] = other.local(c.from.cell);
         std::tie(b.top[c.to], b.obstacle[c.to]) = mesh.step_at(b.grid.x((other.i0 + i) / 2), b.grid.y((other.j0 + j) / 2));
       }
       for (FromCoarser& c : plans_[k].coarser) {

@@ -21,6 +21,10 @@ struct Block {
   int row() const { return nx + 2 * ghosts; }
   int size() const { return row() * (ny + 2 * ghosts); }
   int at(int i, int j) const { return (j + ghosts) * row() + i + ghosts; }
+  struct Local {
+    int i, j;
+  };
+  Local local(int cell) const { return {cell % row() - ghosts, cell / row() - ghosts}; }  // at(i, j) is this cell
 
   // By cell, ghosts included.
   std::vector<double> bed;    // smooth elevation z_b [m]

@@ -26,8 +26,7 @@ Mesh::Mesh(const Grid& grid, int edge, const ReferenceSurface& surface, const St
   require(edge >= 2, "A block needs at least 2 cells along its edge; raise the block size.");
   require(levels == 0 || (edge % 2 == 0 && edge >= 1 << levels && edge >= 4),
           "Refined blocks need an even number of cells along their edge, at least 4 and 2 to the power of the levels; raise the "
-          "block "
-          "size.");
+          "block size.");
   require(bed.elevation.empty() || bed.elevation.size() == static_cast<std::size_t>(grid.nx) * grid.ny,
           "The bed elevation needs one value for each cell of the grid (or none); sample it on the solver's own grid.");
   require(bed.elevation.empty() || levels == 0 || bed.height,

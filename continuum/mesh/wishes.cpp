@@ -29,15 +29,22 @@ int wished_level(const std::vector<Wish>& wishes, const Leaf& leaf, const Grid& 
   return level;
 }
 
+bool grow(Forest& forest, const std::vector<Wish>& wishes, const Grid& grid, int edge) {
+  return forest.adapt([&](const Leaf& leaf) { return wished_level(wishes, leaf, grid, edge); });
+}
+
+void grow_fully(Forest& forest, const std::vector<Wish>& wishes, const Grid& grid, int edge) {
+  while (grow(forest, wishes, grid, edge)) {
+  }
+}
+
 std::vector<LevelCells> count_levels(const Grid& grid, int edge, bool periodic_x, bool periodic_y,
                                      const std::vector<RefineBox>& boxes) {
   Refinement refinement;
   refinement.boxes = boxes;
   const int levels = refinement.levels();
   Forest forest((grid.nx + edge - 1) / edge, (grid.ny + edge - 1) / edge, periodic_x, periodic_y, levels);
-  const std::vector<Wish> wishes = wishes_of(boxes);
-  while (forest.adapt([&](const Leaf& leaf) { return wished_level(wishes, leaf, grid, edge); })) {
-  }
+  grow_fully(forest, wishes_of(boxes), grid, edge);
   std::vector<LevelCells> count;
   for (int level = 0; level <= levels; ++level) count.push_back({level, grid.refined(level).dx, 0, 0});
   for (const Leaf& leaf : forest.leaves()) {

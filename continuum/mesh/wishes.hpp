@@ -21,6 +21,11 @@ std::vector<Wish> wishes_of(const std::vector<RefineBox>&);
 // The greatest level among the wishes that meet the leaf; a leaf of level 0 has edge x edge cells of the grid.
 int wished_level(const std::vector<Wish>&, const Leaf&, const Grid&, int edge);
 
+// Takes the forest as far towards the wishes as one level more or less, anywhere, goes; returns whether anything has changed. And
+// all the way.
+bool grow(Forest&, const std::vector<Wish>&, const Grid&, int edge);
+void grow_fully(Forest&, const std::vector<Wish>&, const Grid&, int edge);
+
 // The cells of a mesh of whole blocks once the boxes are refined, by level.
 std::vector<LevelCells> count_levels(const Grid&, int edge, bool periodic_x, bool periodic_y, const std::vector<RefineBox>&);
 

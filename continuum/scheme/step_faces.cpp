@@ -5,16 +5,6 @@
 #include "continuum/scheme/hll.hpp"
 
 namespace couloir {
-namespace {
-
-struct Local {
-  int i, j;
-};
-Local local(const Block& b, int c) {
-  return {c % b.row() - Block::ghosts, c / b.row() - Block::ghosts};
-}
-
-}  // namespace
 
 StepFaces::StepFaces(const Block& b) {
   const auto jumps = [&](int c, int step) { return b.top[c] != b.top[c - step]; };
@@ -51,7 +41,7 @@ void flatten_at_steps(const StepFaces& steps, const Block&, const Fields& q, con
 void step_face_fluxes(const StepFaces& steps, const Block& b, const Scratch& w, const Axis& axis, const FaceValues& f) {
   FaceFluxes& out = *axis.fluxes;
   for (int c : steps.along(axis)) {
-    const auto [i, j] = local(b, c);
+    const auto [i, j] = b.local(c);
     if (i < 0 || j < 0 || i >= axis.faces_i || j >= axis.faces_j) continue;
     const int l = c - axis.step, r = c;
     const double g = axis.weight[i + Block::ghosts], gl = axis.k[l] * g, gr = axis.k[r] * g;
@@ -71,7 +61,7 @@ void count_step_faces(const StepFaces& steps, const Block& b, const BlockState& 
   const FaceFluxes& f = *axis.fluxes;
   const int component = axis.along_x ? 0 : 1;
   const auto interior = [&](int c) {
-    const auto [i, j] = local(b, c);
+    const auto [i, j] = b.local(c);
     return i >= 0 && i < b.nx && j >= 0 && j < b.ny;
   };
   for (int c : steps.along(axis)) {

@@ -7,27 +7,8 @@
 namespace couloir::test {
 namespace {
 
-SolverSettings chute(int levels) {
-  SolverSettings s = basin(96, 48, 0.0125);
-  s.block = 8;
-  s.sides = sides(Side::Kind::outflow, Side::Kind::wall);
-  s.closure = quartz();
-  s.refinement.adaptive.levels = levels;
-  s.refinement.adaptive.interval = 4;
-  return s;
-}
-
-Solver heap(const SolverSettings& s) {
-  Solver solver(s, ReferenceSurface::chute(degrees(38), 0.7, 0.2, 0.3), {{}, {{"block", 0.6, 0.66, -0.08, 0.1, 0.05}}});
-  solver.set([](double x, double y) {
-    const double r2 = ((x - 0.2) * (x - 0.2) + y * y) / 0.0225;
-    return FlowState{r2 < 1 ? 0.08 * (1 - r2) : 0.0, 0, 0};
-  });
-  return solver;
-}
-
 TEST(AdaptiveRefinement, FollowsTheFrontAndKeepsMass) {
-  Solver s = heap(chute(2));
+  Solver s = heap_on_chute(adaptive(chute(), 2));
   const double before = s.volume();
   const std::size_t first = s.blocks().size();
   EXPECT_GT(first, 72u);
@@ -45,20 +26,20 @@ TEST(AdaptiveRefinement, FollowsTheFrontAndKeepsMass) {
 }
 
 TEST(AdaptiveRefinement, IsNearerToTheFineGridThanTheCoarseOne) {
-  SolverSettings fine = chute(0);
+  SolverSettings fine = adaptive(chute(), 0);
   fine.grid = fine.grid.refined(1);
   const Solver coarse = [] {
-    Solver s = heap(chute(0));
+    Solver s = heap_on_chute(adaptive(chute(), 0));
     s.advance_to(0.4);
     return s;
   }();
-  const Solver adaptive = [] {
-    Solver s = heap(chute(1));
+  const Solver refined = [] {
+    Solver s = heap_on_chute(adaptive(chute(), 1));
     s.advance_to(0.4);
     return s;
   }();
   const Solver exact = [&] {
-    Solver s = heap(fine);
+    Solver s = heap_on_chute(fine);
     s.advance_to(0.4);
     return s;
   }();
@@ -67,19 +48,19 @@ TEST(AdaptiveRefinement, IsNearerToTheFineGridThanTheCoarseOne) {
     for (int i = 0; i < 96; ++i) {
       double h = 0;
       for (int m : {0, 1}) h += 0.25 * (exact.at(2 * i, 2 * j + m).h + exact.at(2 * i + 1, 2 * j + m).h);
-      by_coarse += std::abs(coarse.at(i, j).h - h), by_adaptive += std::abs(adaptive.at(i, j).h - h);
+      by_coarse += std::abs(coarse.at(i, j).h - h), by_adaptive += std::abs(refined.at(i, j).h - h);
     }
   }
   EXPECT_LT(by_adaptive, 0.3 * by_coarse);
-  EXPECT_LT(adaptive.cell_updates(), exact.cell_updates());
+  EXPECT_LT(refined.cell_updates(), exact.cell_updates());
 }
 
 TEST(AdaptiveRefinement, CheckpointContinuesToTheSameBits) {
-  Solver whole = heap(chute(2));
+  Solver whole = heap_on_chute(adaptive(chute(), 2));
   whole.advance_to(0.2);
   const auto bytes = whole.checkpoint();
   whole.advance_to(0.4);
-  Solver again = heap(chute(2));
+  Solver again = heap_on_chute(adaptive(chute(), 2));
   again.restore(bytes);
   again.advance_to(0.4);
   EXPECT_EQ(bits(again), bits(whole));
@@ -89,9 +70,9 @@ TEST(AdaptiveRefinement, CheckpointContinuesToTheSameBits) {
 
 TEST(AdaptiveRefinement, SameBitsForAnyNumberOfThreads) {
   const auto run = [](int threads) {
-    SolverSettings set = chute(2);
+    SolverSettings set = adaptive(chute(), 2);
     set.threads = threads;
-    Solver s = heap(set);
+    Solver s = heap_on_chute(set);
     s.advance_to(0.3);
     return bits(s);
   };

@@ -7,21 +7,14 @@
 namespace couloir::test {
 namespace {
 
-SolverSettings chute(bool together) {
-  SolverSettings s = basin(96, 48, 0.0125);
-  s.block = 8;
-  s.sides = sides(Side::Kind::outflow, Side::Kind::wall);
-  s.closure = quartz();
-  if (together) s.ranks = Ranks::of_program();
+SolverSettings together() {
+  SolverSettings s = chute();
+  s.ranks = Ranks::of_program();
   return s;
 }
 
 Solver heap(const SolverSettings& s) {
-  Solver solver(s, ReferenceSurface::chute(degrees(38), 0.7, 0.2, 0.3), {{}, {{"block", 0.6, 0.66, -0.08, 0.1, 0.05}}});
-  solver.set([](double x, double y) {
-    const double r2 = ((x - 0.2) * (x - 0.2) + y * y) / 0.0225;
-    return FlowState{r2 < 1 ? 0.08 * (1 - r2) : 0.0, 0, 0};
-  });
+  Solver solver = heap_on_chute(s);
   solver.add_gauge(50, 10, 40);
   solver.add_control_box({44, 60, 10, 38});
   return solver;
@@ -45,32 +38,27 @@ void expect_same(const SolverSettings& alone, const SolverSettings& together, do
 }
 
 TEST(Ranks, UniformCells) {
-  expect_same(chute(false), chute(true), 0.4);
+  expect_same(chute(), together(), 0.4);
 }
 
 TEST(Ranks, ThreadsToo) {
-  SolverSettings together = chute(true);
-  together.threads = 2;
-  expect_same(chute(false), together, 0.05);
+  SolverSettings threaded = together();
+  threaded.threads = 2;
+  expect_same(chute(), threaded, 0.05);
 }
 
 TEST(Ranks, StaticBoxes) {
   const RefineBox box{0.5, 0.7, -0.1, 0.12, 2, 0};
-  expect_same(refined(chute(false), box), refined(chute(true), box), 0.4);
+  expect_same(refined(chute(), box), refined(together(), box), 0.4);
 }
 
 TEST(Ranks, AMeshThatFollowsTheFlow) {
-  const auto adaptive = [](SolverSettings s) {
-    s.refinement.adaptive.levels = 2;
-    s.refinement.adaptive.interval = 4;
-    return s;
-  };
-  expect_same(adaptive(chute(false)), adaptive(chute(true)), 0.2);
+  expect_same(adaptive(chute(), 2), adaptive(together(), 2), 0.2);
 }
 
 TEST(Ranks, ACheckpointOfOneContinuesOnSeveral) {
   const RefineBox box{0.5, 0.7, -0.1, 0.12, 1, 0};
-  Solver one = heap(refined(chute(false), box)), all = heap(refined(chute(true), box));
+  Solver one = heap(refined(chute(), box)), all = heap(refined(together(), box));
   one.advance_to(0.2);
   all.restore(one.checkpoint());
   for (Solver* s : {&one, &all}) s->advance_to(0.3);
