@@ -95,18 +95,6 @@ COULOIR_CLONES void Lattice::find_velocity(const Region& region) {
   }
 }
 
-double Lattice::find_state(const Region& region) {
-  find_velocity(region);
-  const bool earth_pressure = built::earth_pressure && !s_.closure.earth_pressure.is_hydraulic();  // else K stays 1
-  std::vector<double> rates(std::max(region.j1() - region.j0(), 0), 0.0);
-#pragma omp parallel for num_threads(s_.threads) schedule(static)
-  for (int j = region.j0(); j < region.j1(); ++j) {
-    rates[j - region.j0()] =
-        earth_pressure ? find_rate<true>(j, region.begin(j), region.end(j)) : find_rate<false>(j, region.begin(j), region.end(j));
-  }
-  return rates.empty() ? 0.0 : *std::max_element(rates.begin(), rates.end());
-}
-
 template <bool earth_pressure>
 COULOIR_CLONES double Lattice::find_rate(int j, int i0, int i1) {
   const EarthPressure k = s_.closure.earth_pressure;
@@ -140,6 +128,18 @@ COULOIR_CLONES double Lattice::find_rate(int j, int i0, int i1) {
     fastest = larger(fastest, rate);
   }
   return fastest;
+}
+
+double Lattice::find_state(const Region& region) {
+  find_velocity(region);
+  const bool earth_pressure = built::earth_pressure && !s_.closure.earth_pressure.is_hydraulic();  // else K stays 1
+  std::vector<double> rates(std::max(region.j1() - region.j0(), 0), 0.0);
+#pragma omp parallel for num_threads(s_.threads) schedule(static)
+  for (int j = region.j0(); j < region.j1(); ++j) {
+    rates[j - region.j0()] =
+        earth_pressure ? find_rate<true>(j, region.begin(j), region.end(j)) : find_rate<false>(j, region.begin(j), region.end(j));
+  }
+  return rates.empty() ? 0.0 : *std::max_element(rates.begin(), rates.end());
 }
 
 void Lattice::wrap_points() {

@@ -25,20 +25,6 @@ struct Row {
 
 }  // namespace
 
-void Lattice::prepare(const Region& region, double tau) {
-  const bool friction = built::friction && s_.closure.tan_delta > 0;
-  with_slope(s_.limiter, [&](auto slope) {
-    using S = decltype(slope);
-#pragma omp parallel for num_threads(s_.threads) schedule(static)
-    for (int j = region.j0(); j < region.j1(); ++j) {
-      const int i0 = region.begin(j), i1 = region.end(j);
-      own_.velocity_slopes ? find_slopes<S, true>(j, i0, i1) : find_slopes<S, false>(j, i0, i1);
-      friction ? predict<true>(j, i0, i1, tau) : predict<false>(j, i0, i1, tau);
-      if (kind_ == Kind::corners) close_sides(j, i0, i1, tau);
-    }
-  });
-}
-
 template <class S, bool velocity_slopes>
 COULOIR_CLONES void Lattice::find_slopes(int j, int i0, int i1) {
   const int r = row(), begin = at(0, j);
@@ -106,6 +92,20 @@ COULOIR_CLONES void Lattice::predict(int j, int i0, int i1, double tau) {
     tilt_y.h[i] = 0.25 * yh + ly * g.mass, tilt_y.hu[i] = 0.25 * yhu + ly * g.mom_x, tilt_y.hv[i] = 0.25 * yhv + ly * g.mom_y;
     reaches[i] = reach;
   }
+}
+
+void Lattice::prepare(const Region& region, double tau) {
+  const bool friction = built::friction && s_.closure.tan_delta > 0;
+  with_slope(s_.limiter, [&](auto slope) {
+    using S = decltype(slope);
+#pragma omp parallel for num_threads(s_.threads) schedule(static)
+    for (int j = region.j0(); j < region.j1(); ++j) {
+      const int i0 = region.begin(j), i1 = region.end(j);
+      own_.velocity_slopes ? find_slopes<S, true>(j, i0, i1) : find_slopes<S, false>(j, i0, i1);
+      friction ? predict<true>(j, i0, i1, tau) : predict<false>(j, i0, i1, tau);
+      if (kind_ == Kind::corners) close_sides(j, i0, i1, tau);
+    }
+  });
 }
 
 // Corners on the domain's sides: nothing crosses a wall, by symmetry, and nothing comes in through an outflow.
