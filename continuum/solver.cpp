@@ -41,7 +41,7 @@ std::int64_t Solver::cell_updates() const {
 void Solver::set(const std::function<FlowState(double x, double y)>& state) {
   Impl& m = *impl_;
   const auto set_all = [&] {
-    for (BlockState& s : m.states) s.wet = false;
+    for (BlockState& s : m.states) s.wet = 0;
     m.for_cells([&](int k, int c) {
       const Block& b = m.mesh.blocks()[k];
       const auto [i, j] = b.local(c);
@@ -116,11 +116,8 @@ void Solver::gather_block(int block, std::vector<double>& h, std::vector<double>
 double Solver::volume() const {
   impl_->sync();
   double sum = 0;
-  impl_->for_cells([&](int k, int c) {
-    const BlockState& s = impl_->states[k];
-    if (s.open[c] != 0) sum += std::ldexp(s.now.h[c], -2 * impl_->mesh.blocks()[k].level);
-  });
-  return sum * grid().dx * grid().dy;
+  for (std::size_t k = 0; k < impl_->states.size(); ++k) sum += impl_->open_sum(static_cast<int>(k), impl_->states[k].now.h);
+  return sum;
 }
 
 std::array<double, 2> Solver::momentum() const {
@@ -134,13 +131,19 @@ double Solver::min_depth() const {
 
 double Solver::max_speed() const {
   impl_->sync();
-  double fastest = 0;
-  impl_->for_cells([&](int k, int c) {
-    const Fields& q = impl_->states[k].now;
-    const bool counts = impl_->states[k].open[c] != 0 && q.h[c] >= impl_->settings.dry_depth;
-    if (counts) fastest = std::max(fastest, std::hypot(q.hu[c], q.hv[c]) / q.h[c]);
-  });
-  return fastest;
+  double fastest = 0;  // squared
+  for (std::size_t k = 0; k < impl_->states.size(); ++k) {
+    const Block& b = impl_->mesh.blocks()[k];
+    const BlockState& s = impl_->states[k];
+    for (int j = 0; s.wet && j < b.ny; ++j) {
+      for (int c = b.at(0, j); c < b.at(b.nx, j); ++c) {
+        const bool counts = s.open[c] != 0 && s.now.h[c] >= impl_->settings.dry_depth;
+        const double u = counts ? s.now.hu[c] / s.now.h[c] : 0.0, v = counts ? s.now.hv[c] / s.now.h[c] : 0.0;
+        fastest = std::max(fastest, u * u + v * v);
+      }
+    }
+  }
+  return std::sqrt(fastest);
 }
 
 std::array<double, 2> Solver::earth_pressure(int i, int j) const {

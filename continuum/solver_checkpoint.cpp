@@ -61,7 +61,7 @@ void Solver::restore(const std::vector<std::uint8_t>& bytes) {
   for (Leaf& leaf : leaves) leaf = in.take<Leaf>();
   m.take_leaves(leaves);
   for (Impl::Level& l : m.levels) l.strained = in.take<double>();
-  for (BlockState& s : m.states) s.wet = false;
+  for (BlockState& s : m.states) s.wet = 0;
   const bool shares = with_earth_pressure(m.parameters);
   m.for_cells([&](int k, int c) {
     BlockState& s = m.states[k];

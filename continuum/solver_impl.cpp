@@ -154,14 +154,26 @@ void Solver::Impl::lay_box(int id) {
 }
 
 std::array<double, 2> Solver::Impl::momentum() const {
-  double x = 0, y = 0;
-  for_cells([&](int k, int c) {
-    if (states[k].open[c] == 0) return;
-    const double area = std::ldexp(1.0, -2 * mesh.blocks()[k].level);
-    x += area * states[k].now.hu[c], y += area * states[k].now.hv[c];
-  });
-  const double area = settings.grid.dx * settings.grid.dy;
-  return {x * area, y * area};
+  std::array<double, 2> sum{};
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    if (!states[k].wet) continue;  // films have none
+    sum[0] += open_sum(static_cast<int>(k), states[k].now.hu), sum[1] += open_sum(static_cast<int>(k), states[k].now.hv);
+  }
+  return sum;
+}
+
+// By columns, so that rows of any vector's width give the same bits.
+double Solver::Impl::open_sum(int block, const std::vector<double>& of) const {
+  const Block& b = mesh.blocks()[block];
+  const double* open = states[block].open.data();
+  std::vector<double> columns(b.nx, 0.0);
+  for (int j = 0; j < b.ny; ++j) {
+    const int c = b.at(0, j);
+    for (int i = 0; i < b.nx; ++i) columns[i] += open[c + i] * of[c + i];
+  }
+  double sum = 0;
+  for (double column : columns) sum += column;
+  return sum * b.grid.dx * b.grid.dy;
 }
 
 std::array<double, 2> Solver::Impl::momentum_in(const CellBox& box) const {
@@ -182,7 +194,7 @@ void Solver::Impl::put_in(int block, int cell, const FlowState& q) {
   s.now.h[cell] = q.h;
   s.now.hu[cell] = moves ? q.hu : 0.0;
   s.now.hv[cell] = moves ? q.hv : 0.0;
-  s.wet = s.wet || !(q.h < settings.dry_depth);
+  if (!(q.h < settings.dry_depth)) s.wet |= mesh.blocks()[block].places_of(cell);
   rate.reset();
 }
 

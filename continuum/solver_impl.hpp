@@ -104,8 +104,9 @@ struct Solver::Impl {
 
   void lay_gauge(int id);
   void lay_box(int id);
-  std::array<double, 2> momentum() const;                   // [m4/s] of the open cells
-  std::array<double, 2> momentum_in(const CellBox&) const;  // [m4/s]
+  std::array<double, 2> momentum() const;                           // [m4/s] of the open cells
+  double open_sum(int block, const std::vector<double>& of) const;  // over its open cells, times their area
+  std::array<double, 2> momentum_in(const CellBox&) const;          // [m4/s]
   // Of a cell of the coarsest grid: put() gives all finer ones in it the same, get() takes their mean.
   void put(int i, int j, const FlowState&);
   FlowState get(int i, int j) const;
@@ -132,13 +133,13 @@ struct Solver::Impl {
   std::vector<LevelFluxes> across;  // from finer to coarser, by coarser block
   std::vector<char> inflow_block, beside_finer;
   std::vector<Level> levels;
-  std::vector<Scratch> scratch;  // by thread
-  std::vector<Tally> tallies;    // of this step, by block
-  std::vector<char> touched;     // whether there is one
-  std::vector<Before> before;    // of finer blocks, where touched
-  std::vector<char> wet_before;  // of all blocks, at the whole step's start
-  std::vector<char> owned;       // by this rank; empty: all are
-  std::vector<char> changed;     // since all ranks had them
+  std::vector<Scratch> scratch;       // by thread
+  std::vector<Tally> tallies;         // of this step, by block
+  std::vector<char> touched;          // whether there is one
+  std::vector<Before> before;         // of finer blocks, where touched
+  std::vector<WetPlaces> wet_before;  // of all blocks, at the whole step's start
+  std::vector<char> owned;            // by this rank; empty: all are
+  std::vector<char> changed;          // since all ranks had them
   Halo halo;
   CoveredZone zone;
   std::vector<std::array<double, 2>> impulse;

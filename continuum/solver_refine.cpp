@@ -65,14 +65,17 @@ void Solver::Impl::wish_by_state(std::vector<Wish>& all) const {
       for (int i = 0; i < b.nx; ++i) {
         const int c = b.at(i, j);
         if (s.open[c] == 0 || s.now.h[c] < 0.5 * film) continue;
-        double drop = 0, least = s.now.h[c];
-        for (int n : {c - 1, c + 1, c - b.row(), c + b.row()}) {
+        double drop = 0, least_ahead = s.now.h[c];
+        const double outward[] = {-s.now.hu[c], s.now.hu[c], -s.now.hv[c], s.now.hv[c]};
+        const int beside[] = {c - 1, c + 1, c - b.row(), c + b.row()};
+        for (int d = 0; d < 4; ++d) {
+          const int n = beside[d];
           drop = std::max(drop,
                           std::min(std::abs(s.now.h[n] + b.bed[n] - s.now.h[c] - b.bed[c]), std::abs(s.now.h[n] - s.now.h[c])));
-          least = std::min(least, s.now.h[n]);
+          if (outward[d] >= 0) least_ahead = std::min(least_ahead, s.now.h[n]);
         }
         const auto holds = [&](double share) {
-          return (a.front && s.now.h[c] >= share * film && least < 0.1 * share * film) ||
+          return (a.front && s.now.h[c] >= share * film && least_ahead < film / share) ||
                  (a.gradient > 0 && drop >= share * a.gradient * deepest);
         };
         if (holds(1)) include(ask, i, j);

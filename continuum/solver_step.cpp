@@ -159,9 +159,9 @@ void Solver::Impl::choose(int level, bool corrector) {
   for (int k : l.blocks) {
     BlockState& s = states[k];
     bool active = inflow_block[k] || !faces[k].rim.empty() || s.wet;
-    for (int n : ghosts->neighbours(k)) {
+    for (const auto& [n, sides] : ghosts->neighbours(k)) {
       // A finer neighbour that steps has something to say about the face.
-      active = active || states[n].wet || (mesh.blocks()[n].level > level && states[n].stepped);
+      active = active || (states[n].wet & sides) == sides || (mesh.blocks()[n].level > level && states[n].stepped);
     }
     if (!corrector) {
       s.begun = s.stepped;
@@ -212,12 +212,15 @@ void Solver::Impl::look(int level, const std::vector<int>& blocks) {
 
 // The bound of stable_dt() is that of the step's start; a stage that speeds the flow up a lot may overdraw a cell.
 bool Solver::Impl::run(int level, StageName stage, double dt) {
-  constexpr char wet = 1, negative = 2;
+  constexpr char negative = wet_everywhere + 1;
   const Level& l = levels[level];
   for (int b : l.chosen) {
     if (!touched[b]) {
       tallies[b].reset(impulse.size(), gauges.size(), boxes.size());
-      if (level > 0 && mine(b)) before[b] = {states[b].now, states[b].passive_x, states[b].passive_y};
+      if (level > 0 && mine(b)) {
+        before[b].q = states[b].now;
+        before[b].passive_x = states[b].passive_x, before[b].passive_y = states[b].passive_y;
+      }
     }
     touched[b] = changed[b] = 1;
   }
@@ -229,11 +232,11 @@ bool Solver::Impl::run(int level, StageName stage, double dt) {
                       scratch[omp_get_thread_num()], stage, dt, tallies[b]);
   }
   std::vector<char> flags;
-  for (int b : l.chosen) flags.push_back(mine(b) ? (states[b].wet ? wet : 0) | (tallies[b].min_depth < 0 ? negative : 0) : 0);
+  for (int b : l.chosen) flags.push_back(mine(b) ? states[b].wet | (tallies[b].min_depth < 0 ? negative : 0) : 0);
   settings.ranks.any(flags);
   bool good = true;
   for (std::size_t k = 0; k < flags.size(); ++k) {
-    states[l.chosen[k]].wet = flags[k] & wet;
+    states[l.chosen[k]].wet = flags[k] & wet_everywhere;
     good = good && !(flags[k] & negative);
   }
   halo.tell_state(level, states);

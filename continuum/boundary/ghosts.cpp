@@ -83,7 +83,7 @@ Ghosts::Ghosts(const Mesh& mesh, const std::array<Side, 4>& sides) : sides_(side
       if (i >= 0 && i < b.nx) continue;
       for (int j = 0; j < b.ny; ++j) plan_cell(mesh, static_cast<int>(k), i, j);
     }
-    std::vector<int>& n = plans_[k].neighbours;
+    std::vector<Neighbour>& n = plans_[k].neighbours;
     std::sort(n.begin(), n.end());
     n.erase(std::unique(n.begin(), n.end()), n.end());
   }
@@ -103,7 +103,8 @@ void Ghosts::plan_cell(const Mesh& mesh, int block, int i, int j) {
   }
   const Mesh::Found from = mesh.find(b.level, sx.index, sy.index);
   if (from.block < 0) throw std::logic_error("two blocks that touch differ by more than one level");
-  plan.neighbours.push_back(from.block);
+  const int along = i < 0 ? wet_downstream : i >= b.nx ? wet_upstream : 0, across = j < 0 ? wet_left : j >= b.ny ? wet_right : 0;
+  plan.neighbours.push_back({from.block, static_cast<WetPlaces>(along | across)});
   if (from.level == b.level) copy(block, {to, {from.block, from.cell}});
   if (from.level > b.level) plan.finer.push_back({to, {from.block, from.cell}});
   const bool first = sx.index % 2 == 0 && sy.index % 2 == 0;

@@ -10,6 +10,7 @@
 // between two times of theirs.
 
 #include <array>
+#include <compare>
 #include <vector>
 
 #include "continuum/boundary/side.hpp"
@@ -71,8 +72,13 @@ class Ghosts {
     }
     for (const FromCoarser& c : plan.coarser) take(c.from);
   }
-  // Blocks from which this one's ghosts take.
-  const std::vector<int>& neighbours(int block) const { return plans_[block].neighbours; }
+  // Blocks from which this one's ghosts take, and where.
+  struct Neighbour {
+    int block;
+    WetPlaces sides;  // of the neighbour; two where they touch at a corner
+    auto operator<=>(const Neighbour&) const = default;
+  };
+  const std::vector<Neighbour>& neighbours(int block) const { return plans_[block].neighbours; }
 
  private:
   struct Run {  // copies at even distances
@@ -94,7 +100,7 @@ class Ghosts {
     std::vector<FromCoarser> coarser;
     std::vector<Mirror> mirrors;
     std::vector<Fixed> fixed;
-    std::vector<int> neighbours;
+    std::vector<Neighbour> neighbours;
   };
   template <class F>
   void for_beyond(int block, F&& take) const;  // take(mirror) for each ghost beyond the domain's sides

@@ -10,6 +10,11 @@
 
 namespace couloir {
 
+// Where cells reach the dry depth: one bit for each side (upstream, downstream, right, left), two cells deep, which is as far as
+// the ghosts beside it look, and one for the whole block.
+using WetPlaces = unsigned char;
+constexpr WetPlaces wet_upstream = 1, wet_downstream = 2, wet_right = 4, wet_left = 8, wet_inside = 16, wet_everywhere = 31;
+
 struct Block {
   static constexpr int ghosts = 2;
 
@@ -25,6 +30,13 @@ struct Block {
     int i, j;
   };
   Local local(int cell) const { return {cell % row() - ghosts, cell / row() - ghosts}; }  // at(i, j) is this cell
+
+  WetPlaces places_of(int cell) const {  // of an interior cell, if it is wet
+    const auto [i, j] = local(cell);
+    const int sides = (i < ghosts ? wet_upstream : 0) | (i >= nx - ghosts ? wet_downstream : 0) | (j < ghosts ? wet_right : 0) |
+                      (j >= ny - ghosts ? wet_left : 0);
+    return static_cast<WetPlaces>(wet_inside | sides);
+  }
 
   // By cell, ghosts included.
   std::vector<double> bed;    // smooth elevation z_b [m]
@@ -55,11 +67,11 @@ struct BlockState {
   std::vector<double> passive_x, passive_y;  // share of the passive state, ghosts included; only where K depends on it
   std::vector<double> open;                  // 1: the solver's own cell, 0: covered; ghosts included
   bool all_open = true;                      // no covered cell, ghosts included
-  bool wet = false;                          // some depth reaches the dry depth
-  bool was_wet = false;                      // at the start of the step
-  bool begun = false;                        // took part in the start of this step
-  bool stepped = false;                      // takes part in its first stage
-  bool looked = false;                       // its ghosts know the coarser cells beside it
+  WetPlaces wet = 0;
+  WetPlaces was_wet = 0;  // at the start of the step
+  bool begun = false;     // took part in the start of this step
+  bool stepped = false;   // takes part in its first stage
+  bool looked = false;    // its ghosts know the coarser cells beside it
 
   void back_to_start(const Block& b) {
     for (int j = 0; j < b.ny; ++j) {

@@ -17,7 +17,7 @@ struct RefineBox {
 struct Adaptive {
   int levels = 0;         // how often the cells may be halved; 0: not adaptive
   int interval = 8;       // steps of the coarsest cells between two looks
-  bool front = true;      // where wet cells meet dry ones
+  bool front = true;      // where the flow ends ahead: from 1 % of the greatest depth to less
   double gradient = 0.1;  // where the surface changes between neighbouring cells by this share of the greatest depth; 0: never
   double obstacle = 0;    // [m] about obstacles, once the flow is as near; 0: never
   bool zone = true;       // along the rim of the covered zone

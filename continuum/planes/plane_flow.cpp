@@ -51,7 +51,7 @@ void PlaneFlow::set(int i, int j, const FlowState& q) {
   const bool wet = q.h >= settings_.dry_depth;
   state_.now.h[c] = q.h, state_.now.hu[c] = wet ? q.hu : 0.0, state_.now.hv[c] = wet ? q.hv : 0.0;
   state_.passive_x[c] = state_.passive_y[c] = 0;
-  state_.wet = state_.wet || wet;
+  if (wet) state_.wet |= block_.places_of(c);
 }
 
 double PlaneFlow::volume() const {
@@ -282,7 +282,7 @@ void PlaneFlow::save(ByteWriter& put) const {
 }
 
 void PlaneFlow::restore(ByteReader& in) {
-  state_.wet = false;
+  state_.wet = 0;
   for (int j = 0; j < block_.ny; ++j) {
     for (int i = 0; i < block_.nx; ++i) {
       const int c = block_.at(i, j);

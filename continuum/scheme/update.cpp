@@ -157,6 +157,21 @@ constexpr std::array<Row, kernel_count> kernels(std::integer_sequence<unsigned, 
 constexpr auto predictors = kernels<StageName::predictor>(std::make_integer_sequence<unsigned, kernel_count>());
 constexpr auto correctors = kernels<StageName::corrector>(std::make_integer_sequence<unsigned, kernel_count>());
 
+// deepest: of each column.
+WetPlaces wet_places(const Block& b, const BlockState& s, const double* deepest, double dry_depth) {
+  const auto wet = [&](const double* from, int count) { return count > 0 && *std::max_element(from, from + count) >= dry_depth; };
+  if (!wet(deepest, b.nx)) return 0;
+  const int deep = std::min(Block::ghosts, std::min(b.nx, b.ny));
+  WetPlaces places = wet_inside;
+  if (wet(deepest, deep)) places |= wet_upstream;
+  if (wet(deepest + b.nx - deep, deep)) places |= wet_downstream;
+  for (int n = 0; n < deep; ++n) {
+    if (wet(&s.now.h[b.at(0, n)], b.nx)) places |= wet_right;
+    if (wet(&s.now.h[b.at(0, b.ny - 1 - n)], b.nx)) places |= wet_left;
+  }
+  return places;
+}
+
 }  // namespace
 
 void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, StageName stage, double dt, bool sources,
@@ -179,7 +194,7 @@ void update(const Parameters& p, const Block& b, BlockState& s, Scratch& w, Stag
   const bool finite = sum(w.columns[not_finite]) == 0;
   t.finite = t.finite && finite;
   t.cell_updates += static_cast<std::int64_t>(b.nx) * b.ny;
-  s.wet = *std::max_element(w.columns[most].begin(), w.columns[most].end()) >= p.dry_depth || !finite;
+  s.wet = finite ? wet_places(b, s, w.columns[most].data(), p.dry_depth) : wet_everywhere;
 }
 
 }  // namespace couloir

@@ -52,7 +52,26 @@ TEST(AdaptiveRefinement, IsNearerToTheFineGridThanTheCoarseOne) {
     }
   }
   EXPECT_LT(by_adaptive, 0.3 * by_coarse);
-  EXPECT_LT(refined.cell_updates(), exact.cell_updates());
+}
+
+// Two fronts, one dry, with much at rest behind and much dry ahead of them.
+TEST(AdaptiveRefinement, RefinesTheFrontsOfADamBreakAlone) {
+  const auto run = [](int halvings, int levels) {
+    SolverSettings set = adaptive(basin(256, 16, 0.0125), levels);
+    set.block = 8;
+    set.grid = set.grid.refined(halvings);
+    Solver s(set, ReferenceSurface::flat(3.2), {});
+    s.set([&](double x, double) { return FlowState{x < set.grid.x0 + 1.6 ? 0.1 : 0.0, 0, 0}; });
+    s.advance_to(0.3);
+    return s;
+  };
+  const Solver uniform = run(1, 0), followed = run(0, 1);
+  EXPECT_LT(followed.cell_updates(), 0.6 * uniform.cell_updates());
+  int i = 0;
+  while (followed.at(i, 8).h > 1e-3) ++i;
+  for (const BlockPlace& b : followed.blocks()) {
+    EXPECT_TRUE(b.level == 1 || i < b.i0 || i >= b.i0 + b.nx) << "front in cell " << i;
+  }
 }
 
 TEST(AdaptiveRefinement, CheckpointContinuesToTheSameBits) {
