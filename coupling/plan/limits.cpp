@@ -8,6 +8,7 @@
 
 #include "coupling/plan/build.hpp"
 #include "coupling/scene/inflow.hpp"
+#include "coupling/scene/refine.hpp"
 #include "coupling/scene/release_shape.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "coupling/scene/units.hpp"
@@ -93,9 +94,31 @@ void check_zone(const Scene& scene, const Plan& plan) {
   }
 }
 
+// Neighbours across a periodic side keep within one level of each other only where both end with a whole block.
+void check_blocks(const Scene& scene, const Plan& plan) {
+  if (scene.continuum.scheme == "noc" || !scene.continuum.refined()) return;
+  const int edge = block_edge(scene), least = solver_settings(scene).refinement.levels();
+  const int cells[] = {plan.grid.nx, plan.grid.ny};
+  for (int axis : {0, 1}) {
+    const bool periodic = scene.sides[2 * axis].kind == SideSpec::Kind::periodic;
+    if (!periodic || cells[axis] % edge == 0) continue;
+    int good = edge;
+    while (good >= 4 && (cells[axis] % good != 0 || good % 2 != 0 || good < 1 << least)) --good;
+    const std::string remedy = good >= 4 ? fmt::format("continuum.block: {} would do", good)
+                                         : fmt::format("choose the cells so that there are {}", (cells[axis] / edge + 1) * edge);
+    fail(scene,
+         scene.continuum.block > 0        ? "continuum.block"
+         : scene.continuum.refine.empty() ? "continuum.adapt"
+                                          : "continuum.refine",
+         "cuts blocks of {} x {} cells, of which {} cells between periodic sides are no whole number; {}", edge, edge,
+         cells[axis], remedy);
+  }
+}
+
 }  // namespace
 
 void check_limits(const Scene& scene, const Plan& plan) {
+  if (scene.mode != Mode::grains) check_blocks(scene, plan);
   if (scene.mode == Mode::continuum) return;
   check_step(scene);
   check_window(scene, plan);

@@ -17,11 +17,11 @@
 namespace couloir {
 namespace {
 
-// Speeds of one core of about 2020. Scheme noc: measured; central upwind made 1.29e7 at the same time. Grains: measured with
-// LIGGGHTS at 2.0 to 3.7 million; two ranks gave 1.7 times one. Cells: a guess.
-constexpr double cell_updates_per_second = 1e7, noc_updates_per_second = 4e6, particle_steps_per_second = 2.5e6,
+// Speeds of one core of about 2024, measured in whole runs of 1e5 to 2e6 cells, records included. Grains: LIGGGHTS made 2.0
+// to 3.7 million; two ranks gave 1.7 times one.
+constexpr double cell_updates_per_second = 3e7, noc_updates_per_second = 1.5e7, particle_steps_per_second = 2.5e6,
                  rank_exponent = 0.77;
-constexpr double bytes_per_cell = 400, bytes_per_grain = 2000;
+constexpr double bytes_per_cell = 240, noc_bytes_per_cell = 700, bytes_per_grain = 2000;
 
 std::string len(double value) {
   return short_quantity(value, Dimension::length);
@@ -178,8 +178,8 @@ Plan make_plan(const Scene& scene) {
     for (const LevelCells& l : plan.levels) plan.cells += l.cells;
     plan.dt = least_step(scene, plan.grid);
     plan.steps = whole(scene.duration / plan.dt);
-    plan.memory +=
-        bytes_per_cell * std::max(static_cast<double>(plan.cells), plan.followed_levels > 0 ? estimated_cells(scene) : 0);
+    plan.memory += (plan.scheme == "noc" ? noc_bytes_per_cell : bytes_per_cell) *
+                   std::max(static_cast<double>(plan.cells), plan.followed_levels > 0 ? estimated_cells(scene) : 0);
     plan.time_continuum = 2.0 * static_cast<double>(plan.steps) * cells_by_work(scene) /
                           (plan.scheme == "noc" ? noc_updates_per_second : cell_updates_per_second);
   }

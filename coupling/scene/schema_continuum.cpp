@@ -93,7 +93,7 @@ void add_adaptive(Keys& k) {
   k.add(section);
   k.add(integer(path + "levels", "how often the cells may be halved", at(&AdaptSpec::levels)).within(1, most_levels).required());
   k.add(integer(path + "interval", "steps of the coarsest cells between two looks", at(&AdaptSpec::interval)).within(1, 10000));
-  k.add(choice(path + "front", "where wet cells meet dry ones", {"off", "on"}, at(&AdaptSpec::front)));
+  k.add(choice(path + "front", "where the outline of the flow advances or rests", {"off", "on"}, at(&AdaptSpec::front)));
   k.add(number(path + "gradient", Dimension::none,
                "where the surface changes from cell to cell by this share of the flow's greatest depth; 0: never",
                at(&AdaptSpec::gradient))

@@ -26,6 +26,25 @@ TEST(Modes, CoupledKeepsMassInEveryWindowAndReadsTheWall) {
   EXPECT_EQ(run.end.status, "done");
 }
 
+// Finer cells along the zone's rim, as the flow asks for them and in a box that one of its edges crosses.
+TEST(Modes, CoupledOverCellsOfThreeSizes) {
+  const Scene scene = small_scene("coupled", {{"continuum.adapt", "{levels: 1, interval: 4}"},
+                                              {"continuum.refine", "[{x: [250 mm, 300 mm], y: [-20 mm, 40 mm], levels: 2}]"},
+                                              {"continuum.block", "4"}});
+  const Watched run = watch(scene, options_in(fresh_folder("coupled_refined")));
+  ASSERT_EQ(run.end.status, "done");
+  double residual = 0;
+  for (const WindowReport& w : run.windows) {
+    ASSERT_LE(w.mass.relative_error(), 1e-12) << "at " << w.time;
+    if (w.momentum.scale > 0) residual = std::max(residual, std::abs(w.momentum.residual) / w.momentum.scale);
+  }
+  EXPECT_LT(residual, 0.02);
+  ASSERT_EQ(run.windows.back().levels.size(), 3u);
+  EXPECT_GT(run.windows.back().inserted, 500);
+  const Watched uniform = watch(small_scene("coupled"), options_in(fresh_folder("coupled_uniform")));
+  EXPECT_NEAR(impulse(run) / impulse(uniform), 1, 0.1);
+}
+
 TEST(Modes, AZoneMayEndWithTheDomain) {
   const Watched run =
       watch(small_scene("coupled", {{"grains.zone", "{x: [270 mm, 600 mm], y: [-100 mm, 100 mm]}"}, {"duration", "0.4 s"}}),

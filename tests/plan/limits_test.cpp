@@ -56,6 +56,19 @@ TEST(Limits, AZoneThatCutsAnObstacleOnTheMeshsLinesIsRefused) {
   EXPECT_TRUE(holds(refusal(cut), "cuts through obstacles.wall")) << refusal(cut);
 }
 
+TEST(Limits, BlocksBetweenPeriodicSidesAreWhole) {
+  Overrides changes{{"mode", "continuum"},
+                    {"boundaries.left", "periodic"},
+                    {"boundaries.right", "periodic"},
+                    {"terrain.width", "720 mm"},
+                    {"continuum.adapt.levels", "2"},
+                    {"continuum.block", "20"}};
+  const std::string why = refusal(changes);
+  EXPECT_TRUE(holds(why, "144 cells between periodic sides") && holds(why, "continuum.block: 18 would do")) << why;
+  changes.back().second = "18";
+  EXPECT_EQ(refusal(changes), "");
+}
+
 TEST(Limits, GrainsAreCountable) {
   const std::string why = refusal({{"grains.diameter", "0.00001 mm"}});
   EXPECT_TRUE(holds(why, "grains.diameter is 1e-05 mm") && holds(why, "use larger grains")) << why;

@@ -126,7 +126,7 @@ TEST(RefinedMesh, PlanSaysCellsByLevelAndWhatTheyCost) {
   EXPECT_GT(plan.memory, uniform.memory);
   // Cells of level 2 step four times in a step of level 0.
   const double more = 2.0 * double(plan.levels[1].cells) + 4.0 * double(plan.levels[2].cells);
-  EXPECT_NEAR(plan.time_continuum - uniform.time_continuum, 2.0 * double(plan.steps) * more / 1e7, 1e-6);
+  EXPECT_NEAR(plan.time_continuum - uniform.time_continuum, 2.0 * double(plan.steps) * more / 3e7, 1e-6);
   const std::string text = plan_text(plan);
   EXPECT_THAT(text, HasSubstr("level 2: " + std::to_string(plan.levels[2].cells) + " cells of 1.25 mm, "));
   EXPECT_EQ(plan_json(plan)["continuum"]["levels"][1]["cell"], 0.0025);
