@@ -1,5 +1,6 @@
 #pragma once
-// Plain values to bytes and back, for checkpoints.
+// Plain values to bytes and back, for checkpoints. Of what has gaps between its members (an int before a double) give the members: the
+// same state has the same bytes.
 
 #include <cstdint>
 #include <cstring>

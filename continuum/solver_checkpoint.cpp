@@ -37,7 +37,7 @@ std::vector<std::uint8_t> Solver::checkpoint() const {
   }
   for (const auto& impulse : m.impulse) put(impulse);
   put(static_cast<int>(m.gauges.size()));
-  for (const Impl::Gauge& g : m.gauges) put(g);
+  for (const Impl::Gauge& g : m.gauges) put(std::array{g.i, g.j0, g.j1}), put(g.volume);
   put(static_cast<int>(m.boxes.size()));
   for (const Impl::ControlBox& b : m.boxes) put(b);
   put(m.budget);
@@ -81,7 +81,8 @@ void Solver::restore(const std::vector<std::uint8_t>& bytes) {
   m.gauges.clear();
   for (BlockFaces& f : m.faces) f.gauges.clear();
   for (int g = 0; g < gauges; ++g) {
-    m.gauges.push_back(in.take<Impl::Gauge>());
+    const auto [i, j0, j1] = in.take<std::array<int, 3>>();
+    m.gauges.push_back({i, j0, j1, in.take<double>()});
     m.lay_gauge(g);
   }
   const int boxes = in.take<int>();

@@ -265,7 +265,7 @@ std::vector<std::uint8_t> NocSolver::checkpoint() const {
   }
   for (const auto& impulse : m.impulse) put(impulse);
   put(static_cast<int>(m.gauges.size()));
-  for (const Impl::Gauge& g : m.gauges) put(g);
+  for (const Impl::Gauge& g : m.gauges) put(std::array{g.i, g.j0, g.j1}), put(g.volume);
   put(static_cast<int>(m.boxes.size()));
   for (const noc::ControlBox& b : m.boxes) put(b);
   for (const std::vector<double>& owed : m.inflow_owed) {
@@ -294,7 +294,10 @@ void NocSolver::restore(const std::vector<std::uint8_t>& bytes) {
   }
   for (auto& impulse : m.impulse) impulse = in.take<std::array<double, 2>>();
   m.gauges.resize(in.take<int>());
-  for (Impl::Gauge& g : m.gauges) g = in.take<Impl::Gauge>();
+  for (Impl::Gauge& g : m.gauges) {
+    const auto [i, j0, j1] = in.take<std::array<int, 3>>();
+    g = {i, j0, j1, in.take<double>()};
+  }
   m.boxes.resize(in.take<int>());
   for (noc::ControlBox& b : m.boxes) b = in.take<noc::ControlBox>();
   for (std::vector<double>& owed : m.inflow_owed) {

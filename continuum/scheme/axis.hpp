@@ -13,6 +13,7 @@ struct Axis {
   int faces_i, faces_j;  // faces of the block: 0 <= i < faces_i, 0 <= j < faces_j
   double spacing;        // [m] of the cells along the axis
   double face_length;    // [m]
+  const double* h;       // depth
   const double* un;      // velocity along and across
   const double* ut;
   const double* k;           // earth pressure coefficient
@@ -30,6 +31,7 @@ struct Axis {
             b.ny,
             b.grid.dx,
             b.grid.dy,
+            s.now.h.data(),
             w.u.data(),
             w.v.data(),
             w.kx.data(),
@@ -41,21 +43,9 @@ struct Axis {
             w.source_x.data()};
   }
   static Axis y(const Block& b, const BlockState& s, Scratch& w, const EarthPressure& closure) {
-    return {false,
-            b.row(),
-            b.nx,
-            b.ny + 1,
-            b.grid.dy,
-            b.grid.dx,
-            w.v.data(),
-            w.u.data(),
-            w.ky.data(),
-            s.passive_y.data(),
-            closure.stiffness_y(),
-            b.weight.data(),
-            b.no_depth.data(),
-            &w.y,
-            w.source_y.data()};
+    return {false,           b.row(),           b.nx,       b.ny + 1,         b.grid.dy,          b.grid.dx,
+            s.now.h.data(),  w.v.data(),        w.u.data(), w.ky.data(),      s.passive_y.data(), closure.stiffness_y(),
+            b.weight.data(), b.no_depth.data(), &w.y,       w.source_y.data()};
   }
   // Cells whose face values the block's fluxes need: the interior and one ghost at either end of the axis.
   int first_i() const { return along_x ? -1 : 0; }

@@ -36,14 +36,14 @@ inline double resistance(double compression, double h, double c, double stiffnes
 
 // Without relief h* = h and the bed does not push: the same bits for less work.
 template <bool relief, bool one_flux, bool flattening, bool elastic>
-void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues& f) {
+void fluxes(const Block& b, const Axis& axis, double dry, const Scratch& w, const FaceValues& f) {
   const int step = axis.step;
   FaceFluxes& out = *axis.fluxes;
   const double *h_lo = f.h_lo.data(), *h_hi = f.h_hi.data(), *eta_lo = f.eta_lo.data(), *eta_hi = f.eta_hi.data();
   const double *un_lo = f.un_lo.data(), *un_hi = f.un_hi.data(), *ut_lo = f.ut_lo.data(), *ut_hi = f.ut_hi.data();
   const double spacing = axis.spacing;
   const double stiffness = axis.stiffness, *passive = axis.passive;
-  const double *un = axis.un, *k = axis.k, *loose = w.loose.data(), *smooth = w.smooth.data();
+  const double *h = axis.h, *un = axis.un, *k = axis.k, *loose = w.loose.data(), *smooth = w.smooth.data();
   double *mass = out.mass.data(), *tangent = out.tangent.data(), *normal = out.normal.data();
   double *below = out.normal_below.data(), *above = out.normal_above.data();
   for (int j = 0; j < axis.faces_j; ++j) {
@@ -83,8 +83,10 @@ void fluxes(const Block& b, const Axis& axis, const Scratch& w, const FaceValues
         push_r = (pressure(hr, gr) - pressure(over_r, gr)) + turned_r;
       }
       if constexpr (!one_flux) {
-        below[r] = n.momentum + push_l;
-        above[r] = n.momentum + push_r;
+        const double films = h[l] < dry && h[r] < dry ? 0.0 : 1.0;
+        normal[r] *= films;
+        below[r] = films * (n.momentum + push_l);
+        above[r] = films * (n.momentum + push_r);
       }
     }
   }
@@ -112,10 +114,11 @@ void face_fluxes(const Parameters& p, const Block& b, const Axis& axis, const Sc
   const auto with = [](bool yes, auto&& run) { yes ? run(std::true_type()) : run(std::false_type()); };
   with(with_earth_pressure(p), [&]<bool elastic>(std::bool_constant<elastic>) {
     constexpr bool k = elastic && built::earth_pressure;
-    if (with_relief(b)) return fluxes<built::relief, false, built::all, k>(b, axis, w, f);
+    if (with_relief(b)) return fluxes<built::relief, false, built::all, k>(b, axis, p.dry_depth, w, f);
     with(with_friction(p), [&]<bool friction>(std::bool_constant<friction>) {
       constexpr bool flattening = friction && built::friction;
-      w.one_flux ? fluxes<false, true, flattening, k>(b, axis, w, f) : fluxes<false, false, flattening, k>(b, axis, w, f);
+      w.one_flux ? fluxes<false, true, flattening, k>(b, axis, p.dry_depth, w, f)
+                 : fluxes<false, false, flattening, k>(b, axis, p.dry_depth, w, f);
     });
   });
 }

@@ -24,7 +24,7 @@ namespace couloir {
 // steeply on the other: what lies behind such a rise says nothing of the surface before it.
 void flatten_at_feet(const Block&, const Axis&, const Fields&, Values& smooth);
 
-// Between two locked cells the mass flux is exactly zero.
+// Between two locked cells the mass flux is exactly zero, between two films all of it: what lies beside may not be looked at.
 void face_fluxes(const Parameters&, const Block&, const Axis&, const Scratch&, const FaceValues&);
 
 // axis.source: the bed's push within the cell, -g cos(zeta) h dz_b/dx.

@@ -22,7 +22,7 @@ void fluxes_along(const Axis& axis, const Parameters& p, const Block& b, const B
   reconstruct_all(p, b, axis, s.now, w, w.values);
   flatten_at_steps(faces.steps, b, s.now, w, axis, w.values);
   face_fluxes(p, b, axis, w, w.values);
-  step_face_fluxes(faces.steps, b, w, axis, w.values);
+  step_face_fluxes(p, faces.steps, b, w, axis, w.values);
   side_fluxes(p, b, axis, w.values);
   if (across.from_finer) take_from_finer(faces.taken, b, axis, w.values, *across.from_finer);
   rim_fluxes(faces.rim, zone, axis);

@@ -38,7 +38,8 @@ void flatten_at_steps(const StepFaces& steps, const Block&, const Fields& q, con
   }
 }
 
-void step_face_fluxes(const StepFaces& steps, const Block& b, const Scratch& w, const Axis& axis, const FaceValues& f) {
+void step_face_fluxes(const Parameters& p, const StepFaces& steps, const Block& b, const Scratch& w, const Axis& axis,
+                      const FaceValues& f) {
   FaceFluxes& out = *axis.fluxes;
   for (int c : steps.along(axis)) {
     const auto [i, j] = b.local(c);
@@ -54,6 +55,7 @@ void step_face_fluxes(const StepFaces& steps, const Block& b, const Scratch& w, 
     out.normal[c] = n.momentum;
     out.normal_below[c] = (n.momentum - wall_flux(over_l, ul, gl)) + wall_flux(hl, ul, gl);
     out.normal_above[c] = (n.momentum - wall_flux(over_r, -ur, gr)) + wall_flux(hr, -ur, gr);
+    if (axis.h[l] < p.dry_depth && axis.h[r] < p.dry_depth) out.normal[c] = out.normal_below[c] = out.normal_above[c] = 0;
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include "continuum/mesh/block.hpp"
 #include "continuum/scheme/axis.hpp"
+#include "continuum/scheme/parameters.hpp"
 #include "continuum/scheme/tally.hpp"
 
 namespace couloir {
@@ -29,7 +30,7 @@ struct StepFaces {
 void flatten_at_steps(const StepFaces&, const Block&, const Fields&, const Scratch&, const Axis&, FaceValues&);
 
 // Replaces the fluxes through the step faces.
-void step_face_fluxes(const StepFaces&, const Block&, const Scratch&, const Axis&, const FaceValues&);
+void step_face_fluxes(const Parameters&, const StepFaces&, const Block&, const Scratch&, const Axis&, const FaceValues&);
 
 // Books the blocked part on the obstacles and in the budget; share: what this stage counts in the step, times dt [s].
 void count_step_faces(const StepFaces&, const Block&, const BlockState&, const Axis&, double share, Tally&);
