@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/scene_options.hpp"
+#include "app/stop_signal.hpp"
 #include "app/verbs.hpp"
 #include "coupling/check/check_text.hpp"
 #include "coupling/scene/scene_error.hpp"
@@ -26,7 +27,7 @@ struct CheckVerb {
 
 int check(const CheckVerb& verb) {
   std::vector<Expected> expected;
-  for (const std::string& file : find_expected(verb.experiments))
+  for (const std::string& file : find_case_files(verb.experiments, "expected.yaml"))
     expected.push_back(read_expected(file, {verb.quick, verb.variants}));
   if (std::ranges::all_of(expected, [](const Expected& e) { return e.cases.empty(); }))
     throw SceneError("there is nothing to check: no case is left; give other experiments, or another --variant");
@@ -34,6 +35,9 @@ int check(const CheckVerb& verb) {
   RunPool pool(std::filesystem::read_symlink("/proc/self/exe").string(), verb.runs, materials_folder());
   CheckSettings settings;
   settings.jobs = verb.jobs > 0 ? verb.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  note_stop_signals();
+  settings.stop = told_to_stop;
+  pool.stop_when(told_to_stop);
   settings.on_case = [&](const std::vector<Finding>& findings) {
     for (const Finding& f : findings) fmt::print(verb.json ? stderr : stdout, "{}\n", finding_line(f));
     std::fflush(verb.json ? stderr : stdout);
@@ -43,6 +47,11 @@ int check(const CheckVerb& verb) {
     fmt::print("{}\n", findings_json(findings).dump(2));
   else
     fmt::print("\n{}", findings_table(findings));
+  if (told_to_stop()) {
+    fmt::print(stderr, "couloir: interrupted; the runs that were done are in {}, and the same command goes on from them\n",
+               verb.runs);
+    return 3;
+  }
   return std::ranges::any_of(findings, [](const Finding& f) { return f.verdict == Verdict::fail; }) ? 1 : 0;
 }
 

@@ -1,12 +1,12 @@
 #include "coupling/plan/plan.hpp"
-#include "coupling/scene/scene_error.hpp"
-#include "coupling/scene/schema.hpp"
 
 #include <cstdio>
 #include <memory>
 
 #include "app/scene_options.hpp"
 #include "app/verbs.hpp"
+#include "coupling/scene/scene_error.hpp"
+#include "coupling/scene/schema.hpp"
 
 namespace couloir {
 

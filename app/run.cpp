@@ -12,6 +12,7 @@
 
 #include "app/run_report.hpp"
 #include "app/scene_options.hpp"
+#include "app/stop_signal.hpp"
 #include "app/verbs.hpp"
 #include "coupling/engine/liggghts_engine.hpp"
 #include "coupling/plan/limits.hpp"
@@ -26,13 +27,6 @@
 
 namespace couloir {
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-void on_signal(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);  // a second one ends at once
-}
 
 struct RunVerb {
   SceneOptions scene;
@@ -70,8 +64,8 @@ Ranks ranks_for(const RunVerb& verb, const Scene& scene) {
 }
 
 // True as soon as one of the ranks has been told to stop.
-bool told_to_stop(const Ranks& ranks) {
-  std::vector<char> told{static_cast<char>(interrupted != 0)};
+bool any_told_to_stop(const Ranks& ranks) {
+  std::vector<char> told{static_cast<char>(told_to_stop())};
   ranks.any(told);
   return told[0] != 0;
 }
@@ -84,12 +78,9 @@ int run(const RunVerb& verb) {
   RunOptions options;
   options.threads = verb.threads;
   options.ranks = ranks;
-  interrupted = 0;
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-  std::signal(SIGHUP, on_signal);
+  note_stop_signals();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is then a write error, with its sentence
-  options.interrupted = [ranks] { return told_to_stop(ranks); };
+  options.interrupted = [ranks] { return any_told_to_stop(ranks); };
   if (!ranks.first()) return run_scene(scene, options, {}).status == "done" ? 0 : 3;
 
   const RunFolder folder = RunFolder::create(scene, verb.out, text);

@@ -32,13 +32,6 @@ std::string title(const Finding& f) {
 
 }  // namespace
 
-std::string with_unit(double value, const CheckUnit& unit) {
-  if (std::isnan(value)) return "-";
-  if (unit.text.empty() || unit.text == "1") return fmt::format("{:.5g}", value);
-  const bool named = !std::isdigit(static_cast<unsigned char>(unit.text.front()));
-  return fmt::format("{:.5g} {}{}", value, named ? "" : "x ", unit.text);
-}
-
 std::string finding_line(const Finding& f) {
   const Expectation& e = f.expectation;
   const std::string head = fmt::format("{:<7} {}, {}: {}", to_string(f.verdict), f.experiment, title(f), e.quantity);

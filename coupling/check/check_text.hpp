@@ -9,8 +9,6 @@
 
 namespace couloir {
 
-// A value in this unit: "5.387 N", "2 x 33.33 mm"; "-" where there is none.
-std::string with_unit(double value, const CheckUnit&);
 // "pass  chiou_wall, continuum: obstacles.wall.force_peak = 5.387 N, expected 5.387 N (+0.01 %, allowed 1 %)"
 std::string finding_line(const Finding&);
 // All of them in columns, with the counts below.

@@ -1,7 +1,6 @@
 #pragma once
 // A summary's value against what is expected of it.
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "coupling/check/expected.hpp"
@@ -21,10 +20,6 @@ struct Finding {
   std::string command;   // that runs it again; empty for a search
   std::string run;       // folder
 };
-
-// A number of summary.json in SI, or the ratio of two: "obstacles.wall.impulse / time.simulated". NaN where it is null.
-// Throws SceneError where the summary has no such number, with the nearest name. `place` is where the path was written.
-double summary_value(const nlohmann::json& summary, const std::string& path, const std::string& place);
 
 // Judges `si` (a value in SI) and fills value, deviation and verdict.
 void judge(Finding&, double si);

@@ -23,7 +23,9 @@ ALLOWED = {
     "coupling/loop": ["continuum", "coupling/engine", "coupling/transfer", "coupling/scene", "coupling/plan"],
     "coupling/records": ["coupling/loop/observer.hpp", "coupling/scene", "coupling/engine/grain_engine.hpp", "continuum/solver.hpp",
                          "continuum/terrain", "continuum/isa"],
-    "coupling/check": ["coupling/scene", "coupling/records"],
+    "coupling/cases": ["coupling/scene", "coupling/records"],
+    "coupling/check": ["coupling/scene", "coupling/cases"],
+    "coupling/study": ["coupling/scene", "coupling/plan", "coupling/loop", "coupling/records", "coupling/cases"],
     "app": ["continuum", "coupling"],
 }
 

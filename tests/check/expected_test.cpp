@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "check_folder.hpp"
-#include "coupling/check/check_unit.hpp"
+#include "coupling/cases/case_unit.hpp"
 #include "coupling/scene/scene_error.hpp"
 
 namespace couloir {
@@ -14,7 +14,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Pair;
 
-Expected read(const std::string& text, const CheckChoice& choice = {}) {
+Expected read(const std::string& text, const CaseChoice& choice = {}) {
   const CheckFolder folder("expected");
   return read_expected(folder.write("slab/expected.yaml", text), choice);
 }
@@ -155,13 +155,13 @@ TEST(Expected, RefusesAShareOfNothing) {
   EXPECT_EQ(error_of(rows), "");
 }
 
-TEST(CheckUnit, KnowsScalesAndForces) {
-  EXPECT_DOUBLE_EQ(parse_check_unit("33.33 mm").si, 0.03333);
-  EXPECT_EQ(parse_check_unit("33.33 mm").quantity, "a length");
-  EXPECT_EQ(parse_check_unit("N s").quantity, "an impulse");
-  EXPECT_EQ(parse_check_value("-1.5e3 kN").first, -1500);
-  EXPECT_DOUBLE_EQ(parse_check_value("2 kN").second.si, 1000);
-  EXPECT_THROW(parse_check_unit("33"), std::invalid_argument);
+TEST(CaseUnit, KnowsScalesAndForces) {
+  EXPECT_DOUBLE_EQ(parse_case_unit("33.33 mm").si, 0.03333);
+  EXPECT_EQ(parse_case_unit("33.33 mm").quantity, "a length");
+  EXPECT_EQ(parse_case_unit("N s").quantity, "an impulse");
+  EXPECT_EQ(parse_case_value("-1.5e3 kN").first, -1500);
+  EXPECT_DOUBLE_EQ(parse_case_value("2 kN").second.si, 1000);
+  EXPECT_THROW(parse_case_unit("33"), std::invalid_argument);
   EXPECT_EQ(quantity_of_path("obstacles.wall.force_peak_time"), "a time");
   EXPECT_EQ(quantity_of_path("obstacles.wall.depth_on_top_final"), "a length");
   EXPECT_EQ(quantity_of_path("obstacles.wall.max_climbed"), "a length");

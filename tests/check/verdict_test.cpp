@@ -6,7 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "coupling/check/check.hpp"
+#include "coupling/cases/search.hpp"
+#include "coupling/cases/summary_value.hpp"
 #include "coupling/scene/scene_error.hpp"
 
 namespace couloir {

@@ -1,4 +1,4 @@
-#include "coupling/check/expected_fields.hpp"
+#include "coupling/cases/case_fields.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 
 namespace couloir {
 
-ExpectedFields::ExpectedFields(const Node& node, std::string what, const std::vector<std::string>& names)
+CaseFields::CaseFields(const Node& node, std::string what, const std::vector<std::string>& names)
     : node_(node), what_(std::move(what)) {
   if (node.kind != Node::Kind::mapping && node.kind != Node::Kind::nothing)
     throw SceneError(
@@ -21,19 +21,19 @@ ExpectedFields::ExpectedFields(const Node& node, std::string what, const std::ve
   }
 }
 
-const Node& ExpectedFields::need(const std::string& name) const {
+const Node& CaseFields::need(const std::string& name) const {
   if (const Node* found = find(name)) return *found;
   throw SceneError(fmt::format("{}: {} needs the key {}", node_.place, what_, name));
 }
 
-std::string ExpectedFields::text(const std::string& name, const std::string& otherwise) const {
+std::string CaseFields::text(const std::string& name, const std::string& otherwise) const {
   const Node* found = find(name);
   if (!found) return otherwise;
   if (found->kind != Node::Kind::text) fail(*found, name, fmt::format("is {}, but must be a text", describe(*found)));
   return found->text;
 }
 
-const std::vector<Node>& ExpectedFields::list(const std::string& name) const {
+const std::vector<Node>& CaseFields::list(const std::string& name) const {
   static const std::vector<Node> none;
   const Node* found = find(name);
   if (!found || found->kind == Node::Kind::nothing) return none;
@@ -41,7 +41,7 @@ const std::vector<Node>& ExpectedFields::list(const std::string& name) const {
   return found->items;
 }
 
-void ExpectedFields::fail(const Node& at, const std::string& name, const std::string& what) const {
+void CaseFields::fail(const Node& at, const std::string& name, const std::string& what) const {
   throw SceneError(fmt::format("{}: {} {}", at.place, name, what));
 }
 

@@ -8,10 +8,10 @@
 
 namespace couloir {
 
-class ExpectedFields {
+class CaseFields {
  public:
   // `what` names the mapping in messages: "a case". Throws SceneError where the node is no mapping or holds other keys.
-  ExpectedFields(const Node&, std::string what, const std::vector<std::string>& names);
+  CaseFields(const Node&, std::string what, const std::vector<std::string>& names);
 
   const Node* find(const std::string& name) const { return node_.find(name); }
   const Node& need(const std::string& name) const;

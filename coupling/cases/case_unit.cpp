@@ -1,4 +1,4 @@
-#include "coupling/check/check_unit.hpp"
+#include "coupling/cases/case_unit.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,7 +54,7 @@ std::vector<std::string> all_names() {
 }
 
 // `whole` is the text that the name stands in.
-CheckUnit named_unit(std::string_view name, std::string_view whole) {
+CaseUnit named_unit(std::string_view name, std::string_view whole) {
   for (const Own& unit : own_units)
     if (name == unit.name) return {std::string(name), unit.quantity, unit.times / unit.over};
   for (const Dimension d : dimensions)
@@ -64,7 +64,7 @@ CheckUnit named_unit(std::string_view name, std::string_view whole) {
   throw std::invalid_argument(fmt::format("is '{}', {} is no unit{}", whole, what, suggestion(name, all_names(), "there are")));
 }
 
-CheckUnit unit_in(std::string_view text, std::string_view whole) {
+CaseUnit unit_in(std::string_view text, std::string_view whole) {
   if (text.empty()) return {};
   for (const Own& unit : own_units)
     if (text == unit.name) return named_unit(text, whole);
@@ -73,7 +73,7 @@ CheckUnit unit_in(std::string_view text, std::string_view whole) {
   if (!split(text, number, name)) return named_unit(text, whole);
   if (name.empty() || !(number > 0))
     throw std::invalid_argument(fmt::format("is '{}', but a unit is a name such as N, or a length such as 33.33 mm", whole));
-  CheckUnit unit = named_unit(name, whole);
+  CaseUnit unit = named_unit(name, whole);
   unit.text = text;
   unit.si *= number;
   return unit;
@@ -81,11 +81,11 @@ CheckUnit unit_in(std::string_view text, std::string_view whole) {
 
 }  // namespace
 
-CheckUnit parse_check_unit(std::string_view text) {
+CaseUnit parse_case_unit(std::string_view text) {
   return unit_in(trimmed(text), trimmed(text));
 }
 
-std::pair<double, CheckUnit> parse_check_value(std::string_view text) {
+std::pair<double, CaseUnit> parse_case_value(std::string_view text) {
   double number = 0;
   std::string_view name;
   if (!split(text, number, name))
@@ -120,6 +120,13 @@ std::string quantity_of_path(std::string_view path) {
   if (has("speed") || has("velocity")) return describe(Dimension::velocity);
   if (path.starts_with("mass.") || name == "overflow") return describe(Dimension::mass);
   return "";
+}
+
+std::string with_unit(double value, const CaseUnit& unit) {
+  if (std::isnan(value)) return "-";
+  if (unit.text.empty() || unit.text == "1") return fmt::format("{:.5g}", value);
+  const bool named = !std::isdigit(static_cast<unsigned char>(unit.text.front()));
+  return fmt::format("{:.5g} {}{}", value, named ? "" : "x ", unit.text);
 }
 
 }  // namespace couloir

@@ -1,4 +1,4 @@
-#include "coupling/check/run_pool.hpp"
+#include "coupling/cases/run_pool.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -7,11 +7,13 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <thread>
 
+#include "coupling/cases/share_out.hpp"
 #include "coupling/records/provenance.hpp"
 #include "coupling/records/record_error.hpp"
 #include "coupling/records/run_folder.hpp"
@@ -53,8 +55,10 @@ std::string last_line(const std::string& path) {
   return last;
 }
 
-// How it ended, empty where it did well: "ended with exit code 3".
-std::string run_program(const std::string& program, std::vector<std::string> words, const std::string& log) {
+// How it ended, empty where it did well: "ended with exit code 3". In a process group of its own, so that it hears of Ctrl-C from
+// us alone, once: at a second signal it would not save its state.
+std::string run_program(const std::string& program, std::vector<std::string> words, const std::string& log,
+                        const std::function<bool()>& stop) {
   words.insert(words.begin(), program);
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -64,12 +68,19 @@ std::string run_program(const std::string& program, std::vector<std::string> wor
   posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&files, 2, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   pid_t pid = 0;
-  const int error = posix_spawn(&pid, program.c_str(), &files, nullptr, argv.data(), environ);
+  const int error = posix_spawn(&pid, program.c_str(), &files, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   if (error != 0) return fmt::format("could not be started: {}", std::strerror(error));
   int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  for (bool told = false; waitpid(pid, &status, WNOHANG) != pid; std::this_thread::sleep_for(std::chrono::milliseconds(5))) {
+    if (told || !stop()) continue;
+    kill(pid, SIGTERM);
+    told = true;
   }
   if (!WIFEXITED(status)) return fmt::format("was killed by signal {}", WTERMSIG(status));
   return WEXITSTATUS(status) == 0 ? "" : fmt::format("ended with exit code {}", WEXITSTATUS(status));
@@ -96,23 +107,31 @@ std::string RunPool::command(const std::string& scene, const Overrides& set) con
   return out;
 }
 
-CheckedRun RunPool::run(const std::string& scene, const Overrides& set) {
+RunPool::Place RunPool::place_of(const std::string& scene, const Overrides& set) const {
   const Scene read = read_scene(scene, materials_, set);
-  const std::string name = fmt::format("{}-{:016x}", scene_name(read), hash_of(write_scene(read) + "\n" + revision_));
-  const std::string folder = (fs::path(folder_) / name).string();
-  std::promise<CheckedRun> promise;
-  std::shared_future<CheckedRun> result;
+  const std::string hash = fmt::format("{:016x}", hash_of(write_scene(read) + "\n" + revision_));
+  return {(fs::path(folder_) / fmt::format("{}-{}", scene_name(read), hash)).string(), hash};
+}
+
+bool RunPool::done(const std::string& scene, const Overrides& set) const {
+  return fs::exists(fs::path(place_of(scene, set).folder) / "summary.json");
+}
+
+PooledRun RunPool::run(const std::string& scene, const Overrides& set) {
+  const Place place = place_of(scene, set);
+  std::promise<PooledRun> promise;
+  std::shared_future<PooledRun> result;
   bool ours = false;
   {
     const std::lock_guard lock(mutex_);
-    const auto [at, added] = runs_.try_emplace(folder);
+    const auto [at, added] = runs_.try_emplace(place.folder);
     if (added) at->second = promise.get_future().share();
     result = at->second;
     ours = added;
   }
   if (ours) {
     try {
-      promise.set_value(make(folder, scene, set));
+      promise.set_value(make(place, scene, set));
     } catch (...) {
       promise.set_exception(std::current_exception());
     }
@@ -120,30 +139,43 @@ CheckedRun RunPool::run(const std::string& scene, const Overrides& set) {
   return result.get();
 }
 
-CheckedRun RunPool::make(const std::string& folder, const std::string& scene, const Overrides& set) const {
-  CheckedRun out;
-  out.folder = folder;
+PooledRun RunPool::make(const Place& place, const std::string& scene, const Overrides& set) const {
+  PooledRun out;
+  out.folder = place.folder;
+  out.hash = place.hash;
   out.command = command(scene, set);
-  const std::string summary = (fs::path(folder) / "summary.json").string();
+  const std::string summary = (fs::path(place.folder) / "summary.json").string();
   if (fs::exists(summary)) {
     out.summary = nlohmann::json::parse(read_text(summary));
     out.reused = true;
     return out;
   }
-  const std::string part = fmt::format("{}.part-{}", folder, getpid()), log = part + ".log";
+  if (stop_()) throw Stopped();
+  const std::string part = fmt::format("{}.part-{}", place.folder, getpid()), log = part + ".log";
   fs::remove_all(part);
   auto words = words_of(scene, set);
   words.insert(words.end(), {"--out", part, "--no-report"});
   const auto start = std::chrono::steady_clock::now();
-  const std::string bad_end = run_program(program_, words, log);
+  const std::string bad_end = run_program(program_, words, log, stop_);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!bad_end.empty() && stop_()) {
+    fs::remove_all(part);
+    fs::remove(log);
+    throw Stopped();
+  }
   if (!bad_end.empty()) {
     const std::string said = last_line(log);
     out.failure = fmt::format("the run {}{}; what it left is in {}", bad_end, said.empty() ? "" : ": " + said, part);
     return out;
   }
   fs::remove(log);
-  fs::rename(part, folder);
+  std::error_code taken;
+  fs::rename(part, place.folder, taken);
+  if (taken && fs::exists(summary)) {
+    fs::remove_all(part);  // another call has made the same run in the meantime
+  } else if (taken) {
+    throw RecordError(fmt::format("{} cannot be renamed to {}: {}", part, place.folder, taken.message()));
+  }
   out.summary = nlohmann::json::parse(read_text(summary));
   return out;
 }

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace couloir {
+
+// From now on Ctrl-C, SIGTERM and SIGHUP are noted here; a second one ends the program at once.
+void note_stop_signals();
+bool told_to_stop();
+
+}  // namespace couloir
