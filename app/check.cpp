@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "app/scene_options.hpp"
 #include "app/stop_signal.hpp"
@@ -32,9 +30,9 @@ int check(const CheckVerb& verb) {
   if (std::ranges::all_of(expected, [](const Expected& e) { return e.cases.empty(); }))
     throw SceneError("there is nothing to check: no case is left; give other experiments, or another --variant");
 
-  RunPool pool(std::filesystem::read_symlink("/proc/self/exe").string(), verb.runs, materials_folder());
+  RunPool pool(own_program(), verb.runs, materials_folder());
   CheckSettings settings;
-  settings.jobs = verb.jobs > 0 ? verb.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  settings.jobs = jobs_or_cores(verb.jobs);
   note_stop_signals();
   settings.stop = told_to_stop;
   pool.stop_when(told_to_stop);

@@ -1,18 +1,13 @@
-#include <spawn.h>
-#include <sys/wait.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/python_script.hpp"
 #include "app/run_report.hpp"
 #include "app/scene_options.hpp"
 #include "app/verbs.hpp"
-#include "coupling/records/record_error.hpp"
 #include "coupling/scene/scene_error.hpp"
-
-extern char** environ;
 
 namespace couloir {
 
@@ -26,20 +21,9 @@ std::string draw_report(const std::vector<std::string>& runs, const std::string&
     folder =
         runs.size() == 1 ? first / "report" : std::filesystem::absolute(first).lexically_normal().parent_path() / "comparison";
   }
-  std::vector<std::string> words{"/usr/bin/python3", report_script()};
-  words.insert(words.end(), runs.begin(), runs.end());
+  std::vector<std::string> words = runs;
   words.insert(words.end(), {"--out", folder.string()});
-  setenv("MPLCONFIGDIR", plot_cache_folder().c_str(), 0);  // else matplotlib writes into the user's home
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  pid_t pid = 0;
-  int status = 1;
-  if (posix_spawn(&pid, argv[0], nullptr, nullptr, argv.data(), environ) != 0)
-    throw std::runtime_error("/usr/bin/python3 cannot be run");
-  waitpid(pid, &status, 0);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 2) throw SceneError("the report could not be drawn (see the line above)");
-  if (status != 0) throw RecordError("the report could not be drawn; the run's records are untouched (see the lines above)");
+  run_python(report_script("report.py"), words, "the report could not be drawn");
   return (folder / "index.html").string();
 }
 

@@ -1,5 +1,9 @@
 #include "app/scene_options.hpp"
 
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+
 #include "coupling/scene/reader.hpp"
 #include "coupling/scene/scene_error.hpp"
 
@@ -25,6 +29,14 @@ Scene SceneOptions::read() const {
   return read_scene(path, materials_folder(), overrides);
 }
 
+std::string own_program() {
+  return std::filesystem::read_symlink("/proc/self/exe").string();
+}
+
+int jobs_or_cores(int given) {
+  return given > 0 ? given : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 std::string materials_folder() {
   return COULOIR_SOURCE_DIR "/dem_inputs/materials";
 }
@@ -34,8 +46,8 @@ std::string packings_folder() {
 std::string plot_cache_folder() {
   return COULOIR_SOURCE_DIR "/.cache/matplotlib";
 }
-std::string report_script() {
-  return COULOIR_SOURCE_DIR "/app/report/report.py";
+std::string report_script(const std::string& name) {
+  return COULOIR_SOURCE_DIR "/app/report/" + name;
 }
 
 }  // namespace couloir

@@ -17,10 +17,15 @@ struct SceneOptions {
   Scene read() const;  // throws SceneError
 };
 
+// The program itself, for runs in processes of their own.
+std::string own_program();
+// Runs at a time: as given, or (0) as many as there are cores.
+int jobs_or_cores(int given);
+
 // Folders of this checkout.
 std::string materials_folder();
 std::string packings_folder();
 std::string plot_cache_folder();
-std::string report_script();
+std::string report_script(const std::string& name);
 
 }  // namespace couloir

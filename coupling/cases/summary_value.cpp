@@ -44,8 +44,8 @@ double one_value(const nlohmann::json& summary, const std::string& path, const s
 double summary_value(const nlohmann::json& summary, const std::string& path, const std::string& place) {
   const auto bar = path.find(" / ");
   if (bar == std::string::npos) return one_value(summary, path, place);
-  const double below = one_value(summary, path.substr(bar + 3), place);
-  return below == 0 ? nan : one_value(summary, path.substr(0, bar), place) / below;
+  const double above = one_value(summary, path.substr(0, bar), place), below = one_value(summary, path.substr(bar + 3), place);
+  return below == 0 ? nan : above / below;
 }
 
 }  // namespace couloir

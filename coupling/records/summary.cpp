@@ -144,6 +144,11 @@ void Summary::on_event(const Event& event) {
 }
 
 void Summary::on_finish(const RunEnd& end) {
+  text_ = made(end);
+  write_atomically(path_, text_);
+}
+
+std::string Summary::made(const RunEnd& end) const {
   const MassLedger& m = last_.mass;
   Json out;
   out["status"] = end.status;
@@ -227,8 +232,7 @@ void Summary::on_finish(const RunEnd& end) {
   out["events"] = Json::array();
   for (const Event& e : events_) out["events"].push_back({{"time", e.time}, {"what", e.what}});
   // A name or an engine's message that is not UTF-8 must not cost the run its summary.
-  text_ = out.dump(2, ' ', false, Json::error_handler_t::replace);
-  write_atomically(path_, text_);
+  return out.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace couloir

@@ -45,6 +45,7 @@ class Summary : public Observer {
   void on_finish(const RunEnd&) override;  // writes the file; throws RecordError
 
   std::string text() const { return text_; }  // what was written; empty before on_finish
+  std::string made(const RunEnd&) const;      // what would be, now
 
  private:
   void take(const WindowReport&);

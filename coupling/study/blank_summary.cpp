@@ -1,0 +1,32 @@
+#include "coupling/study/blank_summary.hpp"
+
+#include <optional>
+
+#include "coupling/loop/flow_models.hpp"
+#include "coupling/loop/force_measures.hpp"
+#include "coupling/plan/zone.hpp"
+#include "coupling/records/summary.hpp"
+
+namespace couloir {
+
+nlohmann::json blank_summary(const Scene& scene) {
+  RunStart start;
+  start.scene = &scene;
+  start.grid.nx = scene.mode == Mode::grains ? 0 : 1;  // there is a continuum
+  start.planes_obstacle = planes_obstacle(scene);
+  start.measures = wall_measures(scene);
+  std::optional<ZoneBox> zone;
+  if (scene.mode == Mode::coupled) zone = planned_zone(scene).box;
+  for (const ObstacleSpec& o : scene.obstacles) {
+    start.obstacles.push_back(o.name);
+    if (scene.mode == Mode::grains || (zone && !zone->apart(o))) continue;
+    start.measures.push_back({o.name, "control_volume"});
+    if (o.method != ObstacleSpec::Method::elevation) continue;
+    for (const char* kind : {"elevation", "elevation_upstream"}) start.measures.push_back({o.name, kind});
+  }
+  Summary summary("");
+  summary.on_start(start);
+  return nlohmann::json::parse(summary.made({}));
+}
+
+}  // namespace couloir

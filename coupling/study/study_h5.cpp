@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "coupling/records/h5.hpp"
+#include "coupling/records/provenance.hpp"
+#include "coupling/study/study_table.hpp"
+
+namespace couloir {
+namespace {
+
+void write(const std::string& path, const Study& study, const std::string& status, const std::vector<StudyTableColumn>& columns) {
+  const h5::Handle file = h5::create_file(path);
+  std::string names;
+  for (const StudyTableColumn& c : columns) names += (names.empty() ? "" : "\n") + c.name;
+  const Provenance& made = provenance();
+  const std::pair<const char*, std::string> texts[] = {{"format", "couloir study"},
+                                                       {"couloir_version", made.version},
+                                                       {"git_revision", made.revision},
+                                                       {"cpu", made.cpu},
+                                                       {"instruction_set", made.instruction_set},
+                                                       {"name", study.name},
+                                                       {"title", study.title},
+                                                       {"study", study.text},
+                                                       {"status", status},
+                                                       {"columns", names}};
+  for (const auto& [name, value] : texts) h5::put_attribute(file, name, value);
+  h5::put_attribute(file, "format_version", std::int64_t{1});
+  const h5::Handle rows = h5::create_group(file, "rows");
+  for (const StudyTableColumn& c : columns) {
+    const h5::Meaning meaning{c.text ? "" : c.unit, c.description};
+    if (c.text) {
+      h5::TextSeries series(rows, c.name, meaning);
+      for (const std::string& text : c.texts) series.add(text);
+      series.write();
+    } else {
+      h5::put(rows, c.name, c.numbers, {c.numbers.size()}, meaning);
+    }
+    const h5::Handle set(H5Dopen2(rows, c.name.c_str(), H5P_DEFAULT), path + " could not be written");
+    h5::put_attribute(set, "role", c.role);
+    h5::put_attribute(set, "label", c.label);
+  }
+  h5::flush(file, path);
+}
+
+}  // namespace
+
+void write_study_h5(const std::string& path, const Study& study, const std::string& status,
+                    const std::vector<StudyTableColumn>& columns) {
+  const std::string beside = path + ".tmp";
+  write(beside, study, status, columns);
+  if (std::rename(beside.c_str(), path.c_str()) != 0) throw RecordError(fmt::format("{} cannot be renamed to {}", beside, path));
+}
+
+}  // namespace couloir

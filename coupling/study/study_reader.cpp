@@ -1,0 +1,254 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <optional>
+
+#include "coupling/cases/summary_value.hpp"
+#include "coupling/plan/plan.hpp"
+#include "coupling/scene/document.hpp"
+#include "coupling/scene/names.hpp"
+#include "coupling/scene/scene_error.hpp"
+#include "coupling/study/blank_summary.hpp"
+#include "coupling/study/study.hpp"
+#include "coupling/study/study_columns.hpp"
+#include "coupling/study/study_unit.hpp"
+
+namespace couloir {
+namespace {
+
+constexpr long most_replicates = 1000;
+constexpr long most_rows = 100000;
+
+// Grain seeds: a number of them, from the scene's own upward, or the seeds themselves.
+struct Replicates {
+  long count = 1;
+  std::vector<long> seeds;
+  const Node* node = nullptr;
+};
+
+struct PlacedQuantity {
+  StudyQuantity quantity;
+  const Node* node;
+  bool unit_given;
+};
+
+// What the file gives for all tables and a table may give anew.
+struct Shared {
+  std::vector<std::string> modes;  // empty: the scene's own
+  Replicates replicates;
+  std::vector<PlacedQuantity> quantities;
+};
+
+// Whether `key` is `other` or lies in it.
+bool under(const std::string& key, const std::string& other) {
+  return key.starts_with(other) && (key.size() == other.size() || key[other.size()] == '.' || key[other.size()] == '[');
+}
+
+class Reader : CaseReader {
+ public:
+  Reader(const std::string& file, const CaseChoice& choice, const std::string& materials)
+      : CaseReader(file, choice), materials_(materials) {}
+
+  Study read() {
+    study_.name = experiment_name(folder());
+    study_.text = read_document_text(file());
+    const Node document = parse_document(study_.text, file());
+    const CaseFields top(document, "study.yaml", {"title", "scene", "variants", "modes", "replicates", "quantities", "tables"});
+    study_.title = top.text("title", study_.name);
+    read_top(top);
+    const Shared shared = read_shared(top, {});
+    if (top.list("tables").empty()) throw SceneError(file() + ":1: there is nothing to run; give tables");
+    for (const Node& item : top.list("tables")) add_table(item, shared);
+    if (study_.rows.empty())
+      throw SceneError(file() + ": there is nothing to run: no table is left; give another --variant, or leave out --quick");
+    return std::move(study_);
+  }
+
+ private:
+  static long integer(const Node& node, const std::string& name, long least, long most) {
+    long value = 0;
+    const char* end = node.text.data() + node.text.size();
+    const auto [at, error] = std::from_chars(node.text.data(), end, value);
+    if (node.kind != Node::Kind::text || error != std::errc() || at != end || value < least || value > most)
+      throw SceneError(
+          fmt::format("{}: {} is {}, but must be a whole number from {} to {}", node.place, name, describe(node), least, most));
+    return value;
+  }
+
+  Shared read_shared(const CaseFields& f, Shared out) const {
+    const std::vector<std::string> modes{to_string(Mode::continuum), to_string(Mode::coupled), to_string(Mode::grains)};
+    if (f.find("modes")) out.modes.clear();
+    for (const Node& item : f.list("modes")) {
+      if (!holds(modes, item.text))
+        throw SceneError(
+            fmt::format("{}: modes: '{}' is none{}", item.place, item.text, suggestion(item.text, modes, "there are")));
+      out.modes.push_back(item.text);
+    }
+    if (const Node* node = f.find("replicates")) {
+      out.replicates = {};
+      out.replicates.node = node;
+      if (node->kind == Node::Kind::list) {
+        for (const Node& item : node->items)
+          out.replicates.seeds.push_back(integer(item, "replicates", 1, std::numeric_limits<std::int32_t>::max()));
+        if (node->items.empty()) f.fail(*node, "replicates", "is empty; give seeds, or how many");
+      } else {
+        out.replicates.count = integer(*node, "replicates", 1, most_replicates);
+      }
+    }
+    if (f.find("quantities")) out.quantities.clear();
+    for (const Node& item : f.list("quantities")) out.quantities.push_back(quantity(item));
+    return out;
+  }
+
+  PlacedQuantity quantity(const Node& node) const {
+    if (node.kind == Node::Kind::text) return {{node.text, node.text, unit_of_path(node.text)}, &node, false};
+    const CaseFields f(node, "a quantity", {"quantity", "unit", "name"});
+    StudyQuantity out;
+    out.path = f.need("quantity").text;
+    out.label = f.text("name", out.path);
+    const Node* unit = f.find("unit");
+    out.unit = unit ? parsed(*unit, "unit", parse_case_unit) : unit_of_path(out.path);
+    if (unit) require_unit(*unit, "unit", out.path, out.unit);
+    return {out, &node, unit != nullptr};
+  }
+
+  // The table's quantities; a search has its critical value first.
+  std::vector<PlacedQuantity> quantities_of(const CaseSetup& s, const Shared& shared, const CaseFields& f) const {
+    std::vector<PlacedQuantity> out = shared.quantities;
+    const auto critical = [](const PlacedQuantity& q) { return q.quantity.path == "critical"; };
+    const auto at = std::ranges::find_if(out, critical);
+    if (!s.search && at != out.end()) {
+      if (f.find("quantities")) throw SceneError(at->node->place + ": quantity critical needs a search in its table");
+      out.erase(at);
+    }
+    if (s.search && at == out.end())
+      out.insert(out.begin(), {{"critical", "critical " + s.search->key, {}}, &f.need("search"), false});
+    if (out.empty()) f.fail(f.need("name"), "quantities", "are missing: say what the rows show, in the table or in the file");
+    return out;
+  }
+
+  void refuse_clashes(const CaseSetup& s, const std::vector<StudyColumn>& columns, const Shared& shared) const {
+    for (const StudyColumn& c : columns) {
+      if (c.key.empty()) continue;
+      const auto refuse = [&](const std::string& what) {
+        throw SceneError(fmt::format("{}: {} is a column of this table, but {}", c.node->place, c.key, what));
+      };
+      for (const auto& [key, value] : s.quick_set)
+        if (under(key, c.key) || under(c.key, key)) refuse("quick sets " + key + "; write a table of its own with quick: only");
+      if (s.search && under(c.key, s.search->key)) refuse("the search looks for it; keep one of them");
+      if (c.key == "mode" && !shared.modes.empty()) refuse("there are modes; keep one of them");
+      if (c.key == "grains.seed" && shared.replicates.node) refuse("there are replicates; keep one of them");
+    }
+  }
+
+  void add_table(const Node& node, const Shared& of_file) {
+    const CaseFields f(
+        node, "a table",
+        {"name", "scene", "set", "quick", "search", "variants", "modes", "replicates", "quantities", "columns", "rows"});
+    f.need("name");
+    const CaseSetup s = setup(f);
+    const Shared shared = read_shared(f, of_file);
+    const std::vector<StudyColumn> columns = study_columns(f);
+    refuse_clashes(s, columns, shared);
+    const std::vector<PlacedQuantity> quantities = quantities_of(s, shared, f);
+    const std::vector<StudyCells> cells = study_cells(f, columns, node.place);
+    if (quick() && s.quick == "skip") return;
+    for (const StudyColumn& c : columns)
+      if (!c.key.empty() && std::ranges::count(study_.parameters, c.key, &StudyParameter::key) == 0)
+        study_.parameters.push_back({c.key, c.label});
+    std::vector<std::string> modes = shared.modes;
+    if (modes.empty()) modes.emplace_back();
+    for (const auto& [variant, set] : variants()) {
+      if (!wanted(s, variant)) continue;
+      for (const std::string& mode : modes) {
+        for (const StudyCells& c : cells) {
+          StudyRow row;
+          row.table = s.name, row.variant = variant, row.mode = mode;
+          row.name = c.name.empty() ? s.name : s.name + ", " + c.name;
+          row.scene = s.scene, row.search = s.search, row.place = c.place;
+          row.parameters = c.parameters;
+          if (!mode.empty()) row.set.emplace_back("mode", mode);
+          for (const Overrides* part : {&set, &s.set, &c.set}) row.set.insert(row.set.end(), part->begin(), part->end());
+          if (quick()) row.set.insert(row.set.end(), s.quick_set.begin(), s.quick_set.end());
+          add_group(std::move(row), c, quantities, shared.replicates);
+        }
+      }
+    }
+  }
+
+  // One row, or with grains one for each seed.
+  void add_group(StudyRow row, const StudyCells& cells, const std::vector<PlacedQuantity>& quantities,
+                 const Replicates& replicates) {
+    const Scene scene = scenes_of(row, materials_).back();
+    row.mode = to_string(scene.mode);
+    row.group = study_.rows.empty() ? 0 : study_.rows.back().group + 1;
+    for (const auto& [key, text] : row.parameters) row.units.emplace_back(key, unit_of_bare(key, scene));
+    add_quantities(row, scene, quantities);
+    for (const auto& [column, cell] : cells.references) add_reference(row, *column, *cell);
+    row.planned = make_plan(scene).time * (row.search ? row.search->most_runs() : 1);
+    std::vector<long> seeds = replicates.seeds;
+    if (seeds.empty())
+      for (long k = 0; k < replicates.count; ++k) seeds.push_back(scene.grains.seed + k);
+    if (scene.mode == Mode::continuum) seeds = {0};  // nothing in it is random
+    for (const long seed : seeds) {
+      StudyRow& one = study_.rows.emplace_back(row);
+      one.seed = seed;
+      if (seed != 0) one.set.emplace_back("grains.seed", std::to_string(seed));
+    }
+    if (study_.rows.size() > most_rows)
+      throw SceneError(fmt::format("{}: these are more than {} rows; leave some values out", cells.place, most_rows));
+  }
+
+  void add_quantities(StudyRow& row, const Scene& scene, const std::vector<PlacedQuantity>& quantities) {
+    const nlohmann::json blank = blank_summary(scene);
+    if (row.search) summary_value(blank, row.search->quantity, row.place);
+    for (PlacedQuantity q : quantities) {
+      if (q.quantity.path != "critical") {
+        summary_value(blank, q.quantity.path, q.node->place);
+      } else if (!q.unit_given) {
+        q.quantity.unit = row.search->unit.empty() ? unit_of_bare(row.search->key, scene) : parse_case_unit(row.search->unit);
+      }
+      row.quantities.push_back(q.quantity);
+      const auto known = std::ranges::find(study_.quantities, q.quantity.path, &StudyQuantity::path);
+      if (known == study_.quantities.end()) {
+        study_.quantities.push_back(q.quantity);
+      } else if (known->unit.text != q.quantity.unit.text) {
+        throw SceneError(fmt::format("{}: {} is in '{}' here, but in '{}' before; a column of the table has one unit",
+                                     q.node->place, known->path, q.quantity.unit.text, known->unit.text));
+      }
+    }
+  }
+
+  void add_reference(StudyRow& row, const StudyColumn& column, const Node& cell) const {
+    const auto q = std::ranges::find(row.quantities, column.reference, &StudyQuantity::path);
+    if (q == row.quantities.end()) {
+      std::vector<std::string> paths;
+      for (const StudyQuantity& known : row.quantities) paths.push_back(known.path);
+      throw SceneError(fmt::format("{}: reference: {} is no quantity of this table{}", column.node->place, column.reference,
+                                   suggestion(column.reference, paths, "there are")));
+    }
+    auto [value, unit] = parsed(cell, column.reference, parse_case_value);
+    if (unit.text.empty() && !column.unit.empty()) unit = parsed(*column.node->find("unit"), "unit", parse_case_unit);
+    if (!unit.text.empty()) {
+      if (unit.quantity != q->unit.quantity)
+        throw SceneError(fmt::format("{}: the reference is in {}, but {} in {}", cell.place, unit.text, q->path,
+                                     q->unit.text.empty() ? "no unit" : q->unit.text));
+      value *= unit.si / q->unit.si;
+    }
+    row.references.emplace_back(column.reference, StudyReference{value, column.source});
+  }
+
+  std::string materials_;
+  Study study_;
+};
+
+}  // namespace
+
+Study read_study(const std::string& file, const CaseChoice& choice, const std::string& materials) {
+  return Reader(file, choice, materials).read();
+}
+
+}  // namespace couloir
