@@ -7,6 +7,7 @@ Prints nothing but errors. Exit codes: 0 done, 2 it is no table of a study or th
 """
 
 import argparse
+import re
 import sys
 from html import escape
 from pathlib import Path
@@ -19,6 +20,15 @@ from study_read import Layout, NoStudy, Study, file_name
 from style import plt
 
 
+MARKS = "os^Dvp"
+
+
+def look(n, layout):
+    """Of the n-th line: its own colour, mark and dashes; without an axis there is nothing to draw a line along."""
+    return {"color": style.SERIES[n % len(style.SERIES)], "marker": MARKS[n % len(MARKS)], "markersize": 5,
+            "linestyle": style.DASHES[n % len(style.DASHES)] if layout.axis else "none"}
+
+
 def draw_lines(axes, study, layout, quantity):
     """The quantity against the parameter: means, the replicates' scatter as a band, the reference in black."""
     mean, scatter, reference = (study.of(quantity, role) for role in ("mean", "scatter", "reference"))
@@ -26,13 +36,15 @@ def draw_lines(axes, study, layout, quantity):
         points = layout.points(rows, mean.values)
         if not points:
             continue
-        colour = style.SERIES[n % len(style.SERIES)]
         x, y, first = (np.array(part) for part in zip(*points))
-        axes.plot(x, y, color=colour, linestyle=style.DASHES[n % len(style.DASHES)] if layout.axis else "none", marker="o",
-                  markersize=5, label=label)
+        if not layout.axis:  # side by side, so that none hides another
+            x = x + 0.1 * (n - (len(layout.lines) - 1) / 2)
+        axes.plot(x, y, label=label, **look(n, layout))
+        colour = style.SERIES[n % len(style.SERIES)]
         spread = np.nan_to_num(scatter.values[first])
         if spread.any():
-            axes.fill_between(x, y - spread, y + spread, color=colour, alpha=0.18, linewidth=0)
+            if layout.axis:
+                axes.fill_between(x, y - spread, y + spread, color=colour, alpha=0.18, linewidth=0)
             axes.errorbar(x, y, spread, color=colour, fmt="none", capsize=3, linewidth=1)
     if reference:
         points = layout.points([k for rows in layout.lines.values() for k in rows], reference.values)
@@ -48,9 +60,21 @@ def draw_lines(axes, study, layout, quantity):
             axes.minorticks_off()
     else:
         axes.set_xticks(range(len(layout.labels)), layout.labels, rotation=30 if len(layout.labels) > 4 else 0)
-        axes.margins(x=0.08)
+        axes.margins(x=0.1)
     axes.set_xlabel(layout.name)
-    axes.set_ylabel(quantity.heading())
+    axes.set_ylabel(folded(quantity.heading()))
+    axes.ticklabel_format(axis="y", useOffset=False)
+
+
+def folded(text, width=30):
+    """A path that is longer than a picture is high, on two lines or more."""
+    lines, line = [], ""
+    for part in re.split(r"(?<=[./ ])", text):
+        if line and len(line + part) > width:
+            lines.append(line)
+            line = ""
+        line += part
+    return "\n".join([*lines, line])
 
 
 def draw_cost(axes, study, layout, quantity):
@@ -62,13 +86,15 @@ def draw_cost(axes, study, layout, quantity):
             continue
         own = lambda place: [cpu[k] for k in rows if layout.place[k] == place and group[k] > 0]
         x, y = [np.mean(own(place)) for place, _, _ in points], [value for _, value, _ in points]
-        axes.plot(x, y, color=style.SERIES[n % len(style.SERIES)], linestyle=style.DASHES[n % len(style.DASHES)] if layout.axis else "none",
-                  marker="o", markersize=5)
+        axes.plot(x, y, **look(n, layout))
         for seconds, value, (_, _, k) in zip(x, y, points):
             axes.annotate(layout.mark[k], (seconds, value), textcoords="offset points", xytext=(5, 5), fontsize=7.5, color=style.GREY)
     shown = [line.get_xdata() for line in axes.lines]
-    if shown and min(map(min, shown)) > 0:
+    least, most = (f(map(f, shown), default=0) for f in (min, max))
+    if least > 0 and most >= 10 * least:
         axes.set_xscale("log")
+        axes.xaxis.set_major_formatter(lambda x, _: f"{x:g}")
+        axes.xaxis.set_minor_formatter("")
     axes.margins(x=0.15, y=0.12)
     axes.set_xlabel("processor time [s]")
 
@@ -86,6 +112,8 @@ def draw_table(study, name, rows, path):
         values = np.concatenate([np.asarray(line.get_ydata(), float) for line in left.lines])
         if values.min() >= 0 and values.max() > 0 and values.min() < 0.6 * values.max():
             left.set_ylim(bottom=0)
+        elif np.ptp(values) <= 1e-6 * np.abs(values).max():  # all the same: no picture of round-off
+            left.set_ylim(values[0] - 0.1 * abs(values[0]) - 1e-12, values[0] + 0.1 * abs(values[0]) + 1e-12)
     axes[0, 0].set_title(name)
     axes[0, 1].set_title("what it costs")
     handles, labels = axes[0, 0].get_legend_handles_labels()

@@ -64,11 +64,13 @@ std::string results_table(const Study& study, const std::vector<StudyResult>& re
   for (const StudyQuantity& q : study.quantities) rows[0].push_back(q.path);
   rows[0].emplace_back("processor time");
   std::array<int, 3> count{};
+  bool references = false;
   int group = -1;
   for (std::size_t k = 0; k < study.rows.size(); ++k) {
     const StudyRow& row = study.rows[k];
     const StudyResult& r = results[k];
     ++count[static_cast<std::size_t>(r.status)];
+    references = references || !row.references.empty();
     const auto line = [&](const std::string& status, const std::string& name, const auto& cell, const std::string& cost) {
       std::vector<std::string> cells{status, name};
       for (const StudyQuantity& q : study.quantities) {
@@ -99,8 +101,8 @@ std::string results_table(const Study& study, const std::vector<StudyResult>& re
         "");
     group = -1;
   }
-  return columns_text(rows) +
-         fmt::format("{} done, {} failed, {} not run; in brackets: the reference\n", count[1], count[2], count[0]);
+  return columns_text(rows) + fmt::format("{} done, {} failed, {} not run{}\n", count[1], count[2], count[0],
+                                          references ? "; in brackets: the reference" : "");
 }
 
 std::string dry_run_table(const Study& study, const std::vector<DryRow>& dry, int jobs) {
