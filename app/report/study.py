@@ -25,7 +25,7 @@ MARKS = "os^Dvp"
 
 def look(n, layout):
     """Of the n-th line: its own colour, mark and dashes; without an axis there is nothing to draw a line along."""
-    return {"color": style.SERIES[n % len(style.SERIES)], "marker": MARKS[n % len(MARKS)], "markersize": 5,
+    return {"color": style.SERIES[n % len(style.SERIES)], "marker": MARKS[n % len(MARKS)], "markersize": 5, "clip_on": False,
             "linestyle": style.DASHES[n % len(style.DASHES)] if layout.axis else "none"}
 
 

@@ -28,7 +28,7 @@ constexpr std::array own_units{
 };
 
 constexpr std::array dimensions{Dimension::length,  Dimension::time,     Dimension::velocity, Dimension::mass,
-                                Dimension::density, Dimension::pressure, Dimension::angle};
+                                Dimension::density, Dimension::pressure, Dimension::angle,    Dimension::acceleration};
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);

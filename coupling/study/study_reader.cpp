@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "coupling/cases/summary_value.hpp"
+#include "coupling/plan/limits.hpp"
 #include "coupling/plan/plan.hpp"
 #include "coupling/scene/document.hpp"
 #include "coupling/scene/names.hpp"
@@ -188,7 +189,7 @@ class Reader : CaseReader {
     for (const auto& [key, text] : row.parameters) row.units.emplace_back(key, unit_of_bare(key, scene));
     add_quantities(row, scene, quantities);
     for (const auto& [column, cell] : cells.references) add_reference(row, *column, *cell);
-    row.planned = make_plan(scene).time * (row.search ? row.search->most_runs() : 1);
+    row.planned = planned_time(row, scene) * (row.search ? row.search->most_runs() : 1);
     std::vector<long> seeds = replicates.seeds;
     if (seeds.empty())
       for (long k = 0; k < replicates.count; ++k) seeds.push_back(scene.grains.seed + k);
@@ -200,6 +201,16 @@ class Reader : CaseReader {
     }
     if (study_.rows.size() > most_rows)
       throw SceneError(fmt::format("{}: these are more than {} rows; leave some values out", cells.place, most_rows));
+  }
+
+  static double planned_time(const StudyRow& row, const Scene& scene) {
+    try {
+      const Plan plan = make_plan(scene);
+      check_memory(scene, plan);
+      return plan.time;
+    } catch (const SceneError& error) {
+      throw SceneError(fmt::format("{}: {}: {}", row.place, row.name, error.what()));
+    }
   }
 
   void add_quantities(StudyRow& row, const Scene& scene, const std::vector<PlacedQuantity>& quantities) {

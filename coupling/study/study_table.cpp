@@ -141,6 +141,9 @@ std::vector<StudyTableColumn> study_table(const Study& study, const std::vector<
           [&](std::size_t k) { return results[k].run; });
   t.texts("hash", "record", "of the complete scene and the program's revision", [&](std::size_t k) { return results[k].hash; });
   t.texts("command", "record", "that runs it again", [&](std::size_t k) { return results[k].command; });
+  for (StudyTableColumn& c : t.columns) {  // obstacles.wall.overflow is a key, and a quantity
+    if (c.role == "parameter" && std::ranges::count(t.columns, c.name, &StudyTableColumn::name) > 1) c.name += " set";
+  }
   return std::move(t.columns);
 }
 

@@ -22,6 +22,7 @@ struct StudyTableColumn {
   std::vector<std::string> texts;
 };
 
+// A parameter that is called as a quantity or another column has " set" behind its name.
 std::vector<StudyTableColumn> study_table(const Study&, const std::vector<StudyResult>&);
 
 std::string study_csv(const std::vector<StudyTableColumn>&);

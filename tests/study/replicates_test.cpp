@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupling/study/study_run.hpp"
+
+namespace couloir {
+namespace {
+
+StudyResult done(double value) {
+  StudyResult r;
+  r.status = StudyResult::Status::done;
+  r.values = {value};
+  r.mean = r.scatter = {std::nan("")};
+  return r;
+}
+
+Study groups(const std::vector<int>& of) {
+  Study study;
+  for (const int group : of) {
+    StudyRow& row = study.rows.emplace_back();
+    row.group = group;
+    row.quantities.push_back({"flow.max_speed", "speed", {}});
+  }
+  return study;
+}
+
+TEST(Replicates, MeanAndScatterAreOfTheDoneRowsOfAGroup) {
+  const Study study = groups({0, 0, 0, 0, 1});
+  std::vector<StudyResult> r{done(2), done(4), done(9), done(100), done(7)};
+  r[3].status = StudyResult::Status::failed;
+  add_replicates(study, r);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_DOUBLE_EQ(r[k].mean[0], 5);
+    EXPECT_DOUBLE_EQ(r[k].scatter[0], std::sqrt((9 + 1 + 16) / 2.0));  // n - 1
+    EXPECT_EQ(r[k].replicates, 3);
+  }
+  EXPECT_TRUE(std::isnan(r[3].mean[0]));
+  EXPECT_EQ(r[3].replicates, 0);
+  EXPECT_DOUBLE_EQ(r[4].mean[0], 7);
+  EXPECT_TRUE(std::isnan(r[4].scatter[0])) << "one value has no scatter";
+}
+
+TEST(Replicates, AValueThatIsNotThereIsLeftOut) {
+  const Study study = groups({0, 0, 0});
+  std::vector<StudyResult> r{done(2), done(std::nan("")), done(4)};
+  add_replicates(study, r);
+  EXPECT_DOUBLE_EQ(r[1].mean[0], 3);
+  EXPECT_DOUBLE_EQ(r[1].scatter[0], std::sqrt(2.0));
+}
+
+}  // namespace
+}  // namespace couloir
