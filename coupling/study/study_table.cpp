@@ -1,6 +1,7 @@
 #include "coupling/study/study_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -148,22 +149,21 @@ std::vector<StudyTableColumn> study_table(const Study& study, const std::vector<
 }
 
 std::string study_csv(const std::vector<StudyTableColumn>& columns) {
-  std::string out;
+  std::vector<std::string> cells;
   for (const StudyTableColumn& c : columns)
-    out +=
-        (&c == columns.data() ? "" : ",") + csv_cell(c.text || c.unit == "1" ? c.name : fmt::format("{} [{}]", c.name, c.unit));
-  const std::size_t rows = columns.front().texts.size();
-  for (std::size_t k = 0; k < rows; ++k) {
-    out += '\n';
+    cells.push_back(csv_cell(c.text || c.unit == "1" ? c.name : fmt::format("{} [{}]", c.name, c.unit)));
+  std::vector<std::string> lines{fmt::format("{}", fmt::join(cells, ","))};
+  for (std::size_t k = 0; k < columns.front().texts.size(); ++k) {
+    cells.clear();
     for (const StudyTableColumn& c : columns) {
-      if (&c != columns.data()) out += ',';
       if (c.text)
-        out += csv_cell(c.texts[k]);
-      else if (!std::isnan(c.numbers[k]))
-        out += fmt::format("{}", c.numbers[k]);
+        cells.push_back(csv_cell(c.texts[k]));
+      else
+        cells.push_back(std::isnan(c.numbers[k]) ? "" : fmt::format("{}", c.numbers[k]));
     }
+    lines.push_back(fmt::format("{}", fmt::join(cells, ",")));
   }
-  return out;
+  return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
 nlohmann::ordered_json study_json(const std::vector<StudyTableColumn>& columns) {

@@ -141,5 +141,31 @@ TEST(Check, ARunThatFailsIsAFailedCheck) {
   EXPECT_THAT(out.text, HasSubstr("the run "));
 }
 
+TEST(Check, InterruptedItKeepsWhatIsDoneAndGoesOn) {
+  const CheckFolder folder("check_interrupted");
+  std::string cases = "cases:\n";
+  for (const int angle : {26, 28, 30, 32})
+    cases += fmt::format(
+        "  - {{name: at {0}, set: {{terrain.angle: {0} deg, continuum.cell: 1.25 mm}}, expect: [{{quantity: mass.initial, "
+        "value: 400 g, tolerance: 1 %, evidence: exact, source: geometry}}]}}\n",
+        angle);
+  folder.write("slab/expected.yaml", cases);
+  // Each case takes about a second; the signal comes when the first is done.
+  const Output out =
+      check(folder,
+            "slab --jobs 1 & pid=$!; until ls -d runs/check/slab-*/summary.json | grep -v part; do sleep 0.02; done; "
+            "kill -INT $pid; wait $pid");
+  EXPECT_EQ(out.code, 3) << out.text;
+  EXPECT_THAT(out.text, HasSubstr("interrupted; the runs that were done are in runs/check, and the same command goes on"));
+  std::ptrdiff_t whole = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "runs/check")) {
+    EXPECT_TRUE(std::filesystem::exists(entry.path() / "summary.json")) << "half done: " << entry.path();
+    ++whole;
+  }
+  EXPECT_GE(whole, 1);
+  EXPECT_LT(whole, 4);
+  EXPECT_EQ(check(folder, "slab").code, 0);
+}
+
 }  // namespace
 }  // namespace couloir

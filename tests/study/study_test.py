@@ -155,6 +155,13 @@ tables: [{name: wall, set: {duration: 0.2 s}}]
         self.assertIn("2 seeds", (self.dir / "out/index.html").read_text())
 
 
+class Experiments(StudyTest):
+    def test_every_study_can_be_read(self):
+        for file in sorted((SOURCE / "experiments").glob("*/study.yaml")):
+            for words in ([], ["--quick"]):
+                self.assertTrue(json.loads(self.study(str(file), "--dry-run", "--json", *words).stdout)["rows"], file)
+
+
 class Runs(StudyTest):
     def test_runs_are_used_again_and_only_new_ones_made(self):
         study = f"quantities: [{SPEED}]\ntables: [{{name: t, columns: [{{set: terrain.angle, values: [25 deg, 30 degMORE]}}]}}]\n"
