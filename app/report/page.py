@@ -1,6 +1,7 @@
 """index.html: the verdict first, then figures, effects, events and pictures. One file, nothing from elsewhere."""
 
 import base64
+import sys
 from html import escape
 
 CSS = """
@@ -105,3 +106,17 @@ def page(title, about, verdict, good, body):
             f"<title>{escape(title)}</title><style>{CSS}</style></head><body>\n<h1>{escape(title)}</h1>\n"
             f'<p class="about">{escape(about)}</p>\n<p class="verdict{"" if good else " bad"}">{verdict}</p>\n'
             f"{body}</body></html>\n")
+
+
+def write_page(path, make, wrong):
+    """Writes what make() returns; the exit code: 0, or 2 with one line, where the input is `wrong` or the page cannot be written."""
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        (path / "index.html").write_text(make(), encoding="utf-8")
+    except wrong as error:
+        print(error, file=sys.stderr)
+    except OSError as error:
+        print(f"the page could not be written: {error}", file=sys.stderr)
+    else:
+        return 0
+    return 2

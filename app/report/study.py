@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 import style
-from page import number, page, picture, section
+from page import number, page, picture, section, write_page
 from study_read import Layout, NoStudy, Study, file_name
 from style import plt
 
@@ -174,18 +174,8 @@ def main():
     parser.add_argument("table", type=Path, metavar="STUDY.H5")
     parser.add_argument("--out", type=Path, help="folder of the page and its pictures; default: beside the table")
     arguments = parser.parse_args()
-    try:
-        study = Study(arguments.table)
-        out = arguments.out or arguments.table.parent
-        out.mkdir(parents=True, exist_ok=True)
-        (out / "index.html").write_text(study_page(study, out), encoding="utf-8")
-    except NoStudy as error:
-        print(error, file=sys.stderr)
-        return 2
-    except OSError as error:
-        print(f"the page could not be written: {error}", file=sys.stderr)
-        return 2
-    return 0
+    out = arguments.out or arguments.table.parent
+    return write_page(out, lambda: study_page(Study(arguments.table), out), NoStudy)
 
 
 if __name__ == "__main__":

@@ -48,7 +48,12 @@ void write(const std::string& path, const Study& study, const std::string& statu
 void write_study_h5(const std::string& path, const Study& study, const std::string& status,
                     const std::vector<StudyTableColumn>& columns) {
   const std::string beside = path + ".tmp";
-  write(beside, study, status, columns);
+  try {
+    write(beside, study, status, columns);
+  } catch (...) {
+    std::remove(beside.c_str());
+    throw;
+  }
   if (std::rename(beside.c_str(), path.c_str()) != 0) throw RecordError(fmt::format("{} cannot be renamed to {}", beside, path));
 }
 

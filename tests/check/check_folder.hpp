@@ -1,5 +1,5 @@
 #pragma once
-// An experiment in a folder of its own, gone with the object.
+// An experiment in a folder of its own, gone with the object: slab, with the scene of tests/scenes.
 
 #include <unistd.h>
 
@@ -15,7 +15,7 @@ class CheckFolder {
       : path_(std::filesystem::path(COULOIR_BINARY_DIR) / "test_runs" / (name + "-" + std::to_string(getpid()))) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_ / "slab");
-    write("slab/scene.yaml", scene);
+    std::filesystem::copy_file(COULOIR_SOURCE_DIR "/tests/scenes/slab.yaml", path_ / "slab/scene.yaml");
   }
   ~CheckFolder() { std::filesystem::remove_all(path_); }
 
@@ -24,17 +24,6 @@ class CheckFolder {
     std::ofstream(path_ / name) << text;
     return (path_ / name).string();
   }
-
-  // A block that slides down: u = m t with m = g (sin 30 - tan 20 cos 30), exact for its middle.
-  static constexpr const char* scene = R"(mode: continuum
-terrain: {kind: incline, angle: 30 deg, length: 1 m, width: 0.1 m}
-material: {density: 1000 kg/m3, internal_friction_angle: 30 deg, basal_friction_angle: 20 deg}
-release: {kind: block, position: [0.1 m, 0], length: 0.4 m, width: 0.1 m, height: 10 mm}
-boundaries: {left: wall, right: wall}
-continuum: {cell: 10 mm, closure: hydraulic}
-record: {frames: 1 s, forces: 10 ms, gauges: {middle: {position: [0.35 m, 0]}}}
-duration: 0.1 s
-)";
 
  private:
   std::filesystem::path path_;

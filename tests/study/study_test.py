@@ -16,20 +16,11 @@ import numpy as np
 
 COULOIR, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 
-# A block that slides down a slope of angle a: u = m t with m = g (sin a - tan 20 cos a), exact for its middle.
-SLAB = """mode: continuum
-terrain: {kind: incline, angle: 30 deg, length: 1 m, width: 0.1 m}
-material: {density: 1000 kg/m3, internal_friction_angle: 30 deg, basal_friction_angle: 20 deg}
-release: {kind: block, position: [0.1 m, 0], length: 0.4 m, width: 0.1 m, height: 10 mm}
-boundaries: {left: wall, right: wall}
-continuum: {cell: 10 mm, closure: hydraulic}
-record: {frames: 1 s, forces: 10 ms, gauges: {middle: {position: [0.35 m, 0]}}}
-duration: 0.1 s
-"""
 SPEED = "gauges.middle.max_speed"
 
 
 def slab_speed(slope, friction=20):
+    """Exact for the middle of a block that slides down for 0.1 s."""
     a = math.radians(slope)
     return 9.81 * (math.sin(a) - math.tan(math.radians(friction)) * math.cos(a)) * 0.1
 
@@ -39,7 +30,7 @@ class StudyTest(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.dir = pathlib.Path(self.folder.name)
         (self.dir / "slab").mkdir()
-        (self.dir / "slab/scene.yaml").write_text(SLAB)
+        (self.dir / "slab/scene.yaml").write_text((SOURCE / "tests/scenes/slab.yaml").read_text())
 
     def tearDown(self):
         self.folder.cleanup()
