@@ -38,7 +38,7 @@ def draw_lines(axes, study, layout, quantity):
             continue
         x, y, first = (np.array(part) for part in zip(*points))
         if not layout.axis:  # side by side, so that none hides another
-            x = x + 0.1 * (n - (len(layout.lines) - 1) / 2)
+            x = x + 0.2 * (n - (len(layout.lines) - 1) / 2)
         axes.plot(x, y, label=label, **look(n, layout))
         colour = style.SERIES[n % len(style.SERIES)]
         spread = np.nan_to_num(scatter.values[first])
@@ -162,7 +162,7 @@ def study_page(study, out):
     for name, rows in study.tables():
         drawn = draw_table(study, name, rows, out / f"{file_name(name)}.png")
         caption = ("Left: against what was set; bands and bars: scatter of the replicates (standard deviation). "
-                   "Right: the same against the processor time that the runs of a point took.")
+                   "Right: the same against the processor time that the runs of a point took, beside it what was set.")
         body += section(name, picture(drawn, caption) + rows_table(study, rows))
     a = study.attributes
     about = f"study {a['name']} · couloir {a['couloir_version']} ({a['git_revision']}) · {a['cpu']}"
