@@ -14,7 +14,7 @@
 #include "app/scene_options.hpp"
 #include "app/stop_signal.hpp"
 #include "app/verbs.hpp"
-#include "coupling/engine/liggghts_engine.hpp"
+#include "coupling/engine/worker_engine.hpp"
 #include "coupling/plan/limits.hpp"
 #include "coupling/records/console.hpp"
 #include "coupling/records/forces_csv.hpp"
@@ -87,7 +87,7 @@ int run(const RunVerb& verb) {
   const std::string work = folder.file("engine");
   std::filesystem::create_directories(work);
   options.work_dir = work;
-  options.worker = default_worker_path();
+  options.workers = default_worker_folder();
   options.packings = packings_folder();
 
   ConsoleSettings screen;

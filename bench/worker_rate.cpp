@@ -24,8 +24,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/engine/liggghts_engine.hpp"
 #include "coupling/engine/packing.hpp"
+#include "coupling/engine/worker_engine.hpp"
 #include "coupling/workers/liggghts_script.hpp"
 
 namespace couloir {
@@ -62,7 +62,7 @@ std::vector<Triangle> rectangle(Vec o, Vec a, Vec b) {
 EngineSetup tilted_box(const std::string& work_dir) {
   const double a = tilt * std::numbers::pi / 180;
   EngineSetup s;
-  s.timestep = stable_timestep(0.5 * diameter * (1 - spread), density, s.youngs_modulus, s.poisson_ratio);
+  s.timestep = stable_timestep(s.contact, {diameter, spread, density, s.youngs_modulus, s.poisson_ratio});
   s.gravity = {g * std::sin(a), 0, -g * std::cos(a)};
   s.lo = {-diameter, -diameter, -diameter};
   s.hi = {length + diameter, width + diameter, height};
@@ -104,7 +104,7 @@ std::int64_t settle(const EngineSetup& setup, const std::string& checkpoint) {
   double mass = 0;
   for (const NewGrain& n : request.insert) mass += density * 4.0 / 3.0 * std::numbers::pi * n.radius * n.radius * n.radius;
   const double still = 0.02 * std::sqrt(g * diameter);  // [m/s] rms
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker_path("liggghts"));
   engine.start(setup);
   for (;;) {
     const Advanced a = engine.advance(request);
@@ -135,7 +135,7 @@ double cpu_of_ended_children() {
 // [s] of CPU from start to end of the worker's process.
 double run_worker(const EngineSetup& setup, const std::string& checkpoint, int run_steps, Grains& last) {
   const double before = cpu_of_ended_children();
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker_path("liggghts"));
   engine.restore(setup, checkpoint);
   AdvanceRequest request;
   request.steps = window;

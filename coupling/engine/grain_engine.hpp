@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "coupling/engine/contact_law.hpp"
+
 namespace couloir {
 
 using Vec = std::array<double, 3>;
@@ -64,6 +66,8 @@ struct EngineSetup {
   double skin = 0;                                                    // [m] neighbour skin; 0: the engine's choice
   double friction = 0.5, rolling_friction = 0.15, restitution = 0.5;  // between grains
   double youngs_modulus = 5e6, poisson_ratio = 0.25;
+  ContactLaw contact = ContactLaw::hertz;  // hertz: Hertz-Mindlin with rolling friction, of the numbers above ...
+  LinearContact linear;                    // ... kelvin_voigt: of these and of the Coulomb frictions, without rolling friction
   std::vector<EngineSurface> surfaces;
   std::vector<DriveFace> faces;
   int ranks = 1;

@@ -97,8 +97,10 @@ double full_depth(const Packing& p, double diameter) {
 
 EngineSetup packing_setup(const PackingSpec& s, double top, const std::string& work_dir) {
   EngineSetup e;
-  const double smallest = 0.5 * s.diameter * (1 - s.spread);
-  e.timestep = stable_timestep(smallest, s.density, s.youngs_modulus, s.poisson_ratio);
+  const GrainStiffness grain{s.diameter, s.spread, s.density, s.youngs_modulus, s.poisson_ratio};
+  e.timestep = stable_timestep(s.contact, grain);
+  e.contact = s.contact;
+  e.linear = linear_contact(grain, s.restitution);
   e.gravity = {0, 0, -gravity};
   e.lo = {0, 0, -2 * s.diameter};
   e.hi = {s.length, s.width, top + 4 * s.diameter};
@@ -152,12 +154,6 @@ Grains settle(const PackingSpec& s, GrainEngine& engine, const std::vector<NewGr
 }
 
 }  // namespace
-
-double stable_timestep(double radius, double density, double youngs_modulus, double poisson_ratio) {
-  const double shear_modulus = youngs_modulus / (2 * (1 + poisson_ratio));
-  const double rayleigh = pi * radius * std::sqrt(density / shear_modulus) / (0.1631 * poisson_ratio + 0.8766);
-  return 0.16 * rayleigh;
-}
 
 Packing settled_packing(const PackingSpec& spec, GrainEngine& engine, const std::string& cache, const std::string& work_dir,
                         const std::function<void(double)>& progress, const std::function<void(const std::string&)>& say) {

@@ -16,6 +16,7 @@ struct PackingSpec {
   double friction = 0.5, base_friction = 0.4, rolling_friction = 0.15, base_rolling_friction = 0.15;
   double restitution = 0.5, youngs_modulus = 5e6, poisson_ratio = 0.25;
   double density = 2500;  // [kg/m3] of a grain
+  ContactLaw contact = ContactLaw::hertz;
 };
 
 struct Packing {
@@ -32,8 +33,5 @@ struct Packing {
 Packing settled_packing(const PackingSpec&, GrainEngine&, const std::string& cache, const std::string& work_dir,
                         const std::function<void(double done)>& progress = {},
                         const std::function<void(const std::string&)>& say = {});
-
-// Share of the Rayleigh time that resolves the asked restitution: 0.16 (measured: 30 % misses it).
-double stable_timestep(double radius, double density, double youngs_modulus, double poisson_ratio);
 
 }  // namespace couloir

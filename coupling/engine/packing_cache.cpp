@@ -20,9 +20,9 @@ std::string describe(const PackingSpec& s) {
   return fmt::format(
       "diameter {:.17g} spread {:.17g} length {:.17g} width {:.17g} depth {:.17g} seed {} friction {:.17g} base_friction {:.17g} "
       "rolling_friction {:.17g} base_rolling_friction {:.17g} restitution {:.17g} youngs_modulus {:.17g} poisson_ratio {:.17g} "
-      "density {:.17g}",
+      "density {:.17g} contact {}",
       s.diameter, s.spread, s.length, s.width, s.depth, s.seed, s.friction, s.base_friction, s.rolling_friction,
-      s.base_rolling_friction, s.restitution, s.youngs_modulus, s.poisson_ratio, s.density);
+      s.base_rolling_friction, s.restitution, s.youngs_modulus, s.poisson_ratio, s.density, to_string(s.contact));
 }
 
 std::string packing_file(const PackingSpec& spec, const std::string& cache) {

@@ -31,9 +31,13 @@ void fields(A& a, EngineSurface& s) {
   a(s.name, s.triangles, s.friction, s.rolling_friction);
 }
 template <class A>
+void fields(A& a, LinearContact& s) {
+  a(s.stiffness, s.shear_stiffness, s.damping, s.shear_damping, s.surface_damping, s.surface_shear_damping);
+}
+template <class A>
 void fields(A& a, EngineSetup& s) {
   a(s.timestep, s.gravity, s.lo, s.hi, s.periodic, s.density, s.max_radius, s.skin, s.friction, s.rolling_friction, s.restitution,
-    s.youngs_modulus, s.poisson_ratio, s.surfaces, s.faces, s.ranks, s.timeout, s.work_dir);
+    s.youngs_modulus, s.poisson_ratio, s.contact, s.linear, s.surfaces, s.faces, s.ranks, s.timeout, s.work_dir);
 }
 template <class A>
 void fields(A& a, NewGrain& s) {
@@ -93,6 +97,8 @@ class Packer {
   void put(T& value) {
     if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
       pack_.pack(value);
+    } else if constexpr (std::is_enum_v<T>) {
+      pack_.pack(static_cast<int>(value));
     } else {
       fields(*this, value);
     }
@@ -132,6 +138,8 @@ class Unpacker {
   static void get(const msgpack::object& object, T& value) {
     if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
       object.convert(value);
+    } else if constexpr (std::is_enum_v<T>) {
+      value = static_cast<T>(object.as<int>());
     } else {
       Unpacker inner(object);
       fields(inner, value);

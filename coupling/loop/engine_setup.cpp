@@ -38,6 +38,8 @@ EngineSetup material_setup(const Scene& s, const ReferenceSurface& surface, doub
   setup.restitution = m.restitution;
   setup.youngs_modulus = m.youngs_modulus;
   setup.poisson_ratio = m.poisson_ratio;
+  setup.contact = contact_law(s.grains.contact);
+  setup.linear = linear_contact(grain_stiffness(s, density), m.restitution);
   setup.ranks = s.grains.ranks;
   setup.timeout = s.grains.timeout;
   setup.work_dir = work_dir;
@@ -116,6 +118,7 @@ PackingSpec packing_spec(const Scene& s, double depth) {
   spec.youngs_modulus = m.youngs_modulus;
   spec.poisson_ratio = m.poisson_ratio;
   spec.density = expected_grain_density(s);
+  spec.contact = contact_law(s.grains.contact);
   return spec;
 }
 

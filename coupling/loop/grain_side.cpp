@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "coupling/engine/liggghts_engine.hpp"
+#include "coupling/engine/worker_engine.hpp"
 #include "coupling/loop/interrupted.hpp"
 #include "coupling/plan/build.hpp"
 
@@ -11,7 +11,8 @@ namespace couloir {
 GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const ReferenceSurface& surface, double depth,
                      const std::function<void(const std::string&)>& say)
     : scene_(scene), options_(options), surface_(surface) {
-  LiggghtsEngine settling(options.worker);
+  // Both engines' flows are cut from the same grains: what differs between two runs is then the engine's.
+  WorkerEngine settling(worker_path("liggghts", options.workers));
   const Packing packing = settled_packing(
       packing_spec(scene, depth), settling, options.packings, options.work_dir,
       [&](double) {
@@ -34,7 +35,7 @@ void GrainSide::start(const EngineSetup& setup) {
   for (int k = 0; k < int(scene_.obstacles.size()); ++k)
     for (int s = 0; s < int(setup.surfaces.size()); ++s)
       if (setup.surfaces[s].name == scene_.obstacles[k].name) surface_of_obstacle_[k] = s;
-  engine_ = std::make_unique<LiggghtsEngine>(options_.worker);
+  engine_ = std::make_unique<WorkerEngine>(worker_path(scene_.grains.engine, options_.workers));
   engine_->start(setup);
   engine_name_ = engine_->name();
   running_ = true;

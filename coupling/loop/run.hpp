@@ -21,7 +21,7 @@ struct RunOptions {
   int threads = 1;
   Ranks ranks{};  // that share the continuum; mode continuum only. All run the same; only the first has observers and a work_dir
   std::string work_dir;  // of the engine and for checkpoints; must exist
-  std::string worker;    // path of the engine's worker
+  std::string workers;   // folder of the engines' workers
   std::string packings;  // folder in which settled packings are kept
   std::function<bool()> interrupted = [] { return false; };
   std::function<void(const GrainEngine&)> on_engine = [](const GrainEngine&) {};  // when it has started (tests kill it here)

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "coupling/engine/packing.hpp"
+#include "coupling/engine/contact_law.hpp"
 #include "coupling/scene/depths.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/refine.hpp"
@@ -181,10 +181,13 @@ double expected_grain_density(const Scene& scene) {
   return scene.material.density / expected_solid_fraction;
 }
 
-double stable_timestep(const Scene& scene, double grain_density) {
+GrainStiffness grain_stiffness(const Scene& scene, double grain_density) {
   const GrainMaterial& grain = scene.material.grain;
-  const double radius = scene.grains.diameter / 2 * (1 - scene.grains.spread);
-  return stable_timestep(radius, grain_density, grain.youngs_modulus, grain.poisson_ratio);
+  return {scene.grains.diameter, scene.grains.spread, grain_density, grain.youngs_modulus, grain.poisson_ratio};
+}
+
+double stable_timestep(const Scene& scene, double grain_density) {
+  return stable_timestep(contact_law(scene.grains.contact), grain_stiffness(scene, grain_density));
 }
 
 double engine_timestep(const Scene& scene, double grain_density) {

@@ -4,6 +4,7 @@
 #include "continuum/noc/noc_solver.hpp"
 #include "continuum/solver.hpp"
 #include "continuum/terrain/elevation.hpp"
+#include "coupling/engine/contact_law.hpp"
 #include "coupling/scene/scene.hpp"
 
 namespace couloir {
@@ -29,6 +30,8 @@ CellBox cells_in(const ZoneBox&, const Grid&);
 inline constexpr double expected_solid_fraction = 0.57;
 
 double expected_grain_density(const Scene&);  // [kg/m3]
+
+GrainStiffness grain_stiffness(const Scene&, double grain_density);
 
 // [s] the engine's stable step for the scene's smallest grain; the scene's own step, or where it gives none the stable one.
 double stable_timestep(const Scene&, double grain_density);

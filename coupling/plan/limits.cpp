@@ -17,7 +17,7 @@ namespace couloir {
 namespace {
 
 constexpr double most_grains = 1e9;
-// Of the stable step, which is 0.16 of the Rayleigh time: beyond 0.2 contacts gain energy and walls feel wrong forces.
+// Of the stable step, which is 0.16 of the Rayleigh time (hertz): beyond 0.2 contacts gain energy and walls feel wrong forces.
 constexpr double longest_step = 1.25, shortest_step = 1e-3;
 // [d] half the driven layer of 3 d: what a face draws in must come from where grains stand ready.
 constexpr double most_travel = 1.5;
@@ -38,9 +38,9 @@ void check_step(const Scene& scene) {
          scene.grains.timestep * 1e6, shortest_step * most * 1e6);
   }
   if (scene.grains.timestep <= most) return;
-  fail(scene, "grains.timestep",
-       "is {}, too long for the smallest grain: at most {}, a fifth of its Rayleigh time; lower it, or leave it out",
-       us(scene.grains.timestep), us(most));
+  fail(scene, "grains.timestep", "is {}, too long for the smallest grain: at most {}, a {}; lower it, or leave it out",
+       us(scene.grains.timestep), us(most),
+       scene.grains.contact == "hertz" ? "fifth of its Rayleigh time" : "sixteenth of its contact time");
 }
 
 // [m/s] the fastest that material may get: each source's own speed, what the terrain can add to it, and its waves. Whatever the

@@ -136,7 +136,8 @@ struct ZoneBox {
 };
 
 struct GrainSpec {
-  std::string engine = "liggghts";
+  std::string engine = "liggghts";  // | yade
+  std::string contact = "hertz";    // | kelvin_voigt
   int ranks = 1;
   double diameter = 0;          // [m]
   double spread = 0.1;          // radii are uniform within +-spread of the mean

@@ -260,7 +260,11 @@ void add_boundaries(Keys& k) {
 
 void add_grains(Keys& k) {
   k.add(mapping("grains", "the discrete-element engine; needed in the modes coupled and grains"));
-  k.add(word("grains.engine", "which engine", {"liggghts"}, COULOIR_AT(grains.engine)));
+  k.add(word("grains.engine", "which engine; yade runs on one rank", {"liggghts", "yade"}, COULOIR_AT(grains.engine)));
+  k.add(word("grains.contact",
+             "how grains push: hertz, Hertz-Mindlin with rolling friction; kelvin_voigt, the dissertation's spring and damper "
+             "(section 4.3) with Coulomb friction and without tension or rolling friction, its stiffness E d / (20 (1 - nu^2))",
+             {"hertz", "kelvin_voigt"}, COULOIR_AT(grains.contact)));
   k.add(integer("grains.ranks", "MPI ranks of the engine", COULOIR_AT(grains.ranks)).within(1, 1024));
   k.add(number("grains.diameter", length, "mean diameter of a simulated grain", COULOIR_AT(grains.diameter)).above(0).optional());
   k.add(number("grains.spread", none, "radii are uniform within +-spread of the mean", COULOIR_AT(grains.spread)).within(0, 0.5));
@@ -279,7 +283,9 @@ void add_grains(Keys& k) {
         }).required());
 
   k.add(integer("grains.window", "engine steps in a coupling window", COULOIR_AT(grains.window)).within(1, 100000));
-  k.add(number("grains.timestep", time, "of the engine; 0: a fixed share of the Rayleigh time", COULOIR_AT(grains.timestep))
+  k.add(number("grains.timestep", time,
+               "of the engine; 0: a fixed share of the Rayleigh time (hertz) or of the contact time (kelvin_voigt)",
+               COULOIR_AT(grains.timestep))
             .within(0, 1));
   k.add(integer("grains.seed", "of the packing and the radii", COULOIR_AT(grains.seed)).within(1, 2147483647));
   k.add(number("grains.timeout", time, "without an answer before the engine counts as dead; of the clock, never scaled",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 
 #include "coupling/workers/engine_errors.hpp"
 
@@ -34,16 +35,20 @@ std::string box_region(const EngineSetup& s) {
 
 // One number for every pair of materials: type 1 the grains, type 2 + k surface k.
 std::string pair_property(const char* id, const char* property, const EngineSetup& s, double grains,
-                          double EngineSurface::*of_surface) {
+                          const std::function<double(const EngineSurface&)>& of_surface) {
   const std::size_t types = s.surfaces.size() + 1;
   std::string text = fmt::format("fix {} all property/global {} peratomtypepair {}", id, property, types);
   for (std::size_t i = 0; i < types; ++i) {
     for (std::size_t j = 0; j < types; ++j) {
       const std::size_t surface = std::max(i, j);  // two surfaces never touch
-      text += fmt::format(" {:.17g}", surface == 0 || !of_surface ? grains : s.surfaces[surface - 1].*of_surface);
+      text += fmt::format(" {:.17g}", surface == 0 ? grains : of_surface(s.surfaces[surface - 1]));
     }
   }
   return text;
+}
+
+std::string pair_property(const char* id, const char* property, const EngineSetup& s, double grains, double surfaces) {
+  return pair_property(id, property, s, grains, [surfaces](const EngineSurface&) { return surfaces; });
 }
 
 std::string type_property(const char* id, const char* property, const EngineSetup& s, double value) {
@@ -55,7 +60,11 @@ std::string type_property(const char* id, const char* property, const EngineSetu
 }  // namespace
 
 std::vector<std::string> liggghts_script(const EngineSetup& s, const std::string& checkpoint, std::int64_t step) {
-  const std::string model = "model hertz tangential history rolling_friction epsd2";
+  const bool hertz = s.contact == ContactLaw::hertz;
+  const std::string model =
+      hertz ? "model hertz tangential history rolling_friction epsd2" : "model hooke/stiffness tangential history";
+  // Behind the model's name, and of a wall's behind its meshes.
+  const std::string settings = hertz ? "" : " absolute_damping on limitForce on";
   const auto side = [&](int k) { return s.periodic[k] ? "p" : "f"; };
   std::vector<std::string> script = {
       "units si",
@@ -80,11 +89,18 @@ std::vector<std::string> liggghts_script(const EngineSetup& s, const std::string
   script.push_back(fmt::format("neigh_modify delay 0 binsize {:.17g}", 2 * s.max_radius + skin));
   script.push_back(type_property("material_1", "youngsModulus", s, s.youngs_modulus));
   script.push_back(type_property("material_2", "poissonsRatio", s, s.poisson_ratio));
-  script.push_back(pair_property("material_3", "coefficientRestitution", s, s.restitution, nullptr));
+  script.push_back(pair_property("material_3", "coefficientRestitution", s, s.restitution, s.restitution));
   script.push_back(pair_property("material_4", "coefficientFriction", s, s.friction, &EngineSurface::friction));
   script.push_back(
       pair_property("material_5", "coefficientRollingFriction", s, s.rolling_friction, &EngineSurface::rolling_friction));
-  script.push_back("pair_style gran " + model);
+  if (!hertz) {
+    const LinearContact& c = s.linear;
+    script.push_back(pair_property("material_6", "kn", s, c.stiffness, c.stiffness));
+    script.push_back(pair_property("material_7", "kt", s, c.shear_stiffness, c.shear_stiffness));
+    script.push_back(pair_property("material_8", "gamman_abs", s, c.damping, c.surface_damping));
+    script.push_back(pair_property("material_9", "gammat_abs", s, c.shear_damping, c.surface_shear_damping));
+  }
+  script.push_back("pair_style gran " + model + settings);
   script.push_back("pair_coeff * *");
   script.push_back(fmt::format("timestep {:.17g}", s.timestep));
   if (const double g = std::hypot(s.gravity[0], s.gravity[1], s.gravity[2]); g > 0) {
@@ -98,7 +114,8 @@ std::vector<std::string> liggghts_script(const EngineSetup& s, const std::string
   }
   script.push_back("fix probe_before all couloir/probe clear");
   if (!meshes.empty())
-    script.push_back(fmt::format("fix walls all wall/gran {} mesh n_meshes {} meshes{}", model, s.surfaces.size(), meshes));
+    script.push_back(
+        fmt::format("fix walls all wall/gran {} mesh n_meshes {} meshes{}{}", model, s.surfaces.size(), meshes, settings));
   script.push_back("fix probe all couloir/probe read");
   script.push_back("fix integrate all nve/sphere");
   script.push_back(fmt::format("fix exchange all couloir/exchange {:.17g}", s.max_radius));

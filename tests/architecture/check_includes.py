@@ -16,7 +16,7 @@ ALLOWED = {
     "continuum/exact": ["continuum/flow", "continuum/terrain"],
     "continuum": ["continuum"],
     "coupling/scene": [],
-    "coupling/plan": ["coupling/scene", "coupling/engine/packing.hpp", "continuum"],
+    "coupling/plan": ["coupling/scene", "coupling/engine/contact_law.hpp", "continuum"],
     "coupling/engine": [],
     "coupling/workers": ["coupling/engine"],
     "coupling/transfer": ["continuum/solver.hpp", "continuum/terrain", "coupling/engine"],

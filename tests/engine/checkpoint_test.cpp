@@ -19,13 +19,17 @@ EngineSetup driven_box(const std::string& folder, int ranks) {
 
 }  // namespace
 
-TEST(Checkpoint, RestoredRunHasTheWritersBits) {
-  for (const int ranks : {1, 2}) {
+struct Checkpoint : OnEngine {};
+
+INSTANTIATE_TEST_SUITE_P(On, Checkpoint, engines, name_of_engine);
+
+TEST_P(Checkpoint, RestoredRunHasTheWritersBits) {
+  for (const int ranks : OnEngine::ranks()) {
     Folder folder, other;
     const std::string path = folder.path + "/state";
     Advanced written, restored;
     {
-      LiggghtsEngine engine;
+      WorkerEngine engine(worker());
       engine.start(driven_box(folder.path, ranks));
       AdvanceRequest request = steps(1500);
       request.insert = lattice(8, 4);
@@ -39,7 +43,7 @@ TEST(Checkpoint, RestoredRunHasTheWritersBits) {
       engine.advance(steps(400));
       written = engine.advance(steps(400));
     }
-    LiggghtsEngine engine;
+    WorkerEngine engine(worker());
     engine.restore(driven_box(other.path, ranks), path);
     engine.advance(steps(400));
     restored = engine.advance(steps(400));
@@ -53,9 +57,9 @@ TEST(Checkpoint, RestoredRunHasTheWritersBits) {
 }
 
 // Setting up again costs no momentum: forces on grains are not counted twice.
-TEST(Checkpoint, DoesNotDisturbTheWriter) {
+TEST_P(Checkpoint, DoesNotDisturbTheWriter) {
   Folder folder;
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker());
   const EngineSetup setup = box(folder.path);
   engine.start(setup);
   AdvanceRequest request = steps(20000);  // at rest: what damping adds to a contact is then below what is compared
@@ -71,9 +75,9 @@ TEST(Checkpoint, DoesNotDisturbTheWriter) {
   }
 }
 
-TEST(Checkpoint, MissingOrForeignFilesAreRefused) {
+TEST_P(Checkpoint, MissingOrForeignFilesAreRefused) {
   Folder folder;
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker());
   EXPECT_THAT(error_of([&] { engine.restore(box(folder.path), folder.path + "/none"); }),
               testing::HasSubstr("/none does not exist"));
   engine.start(box(folder.path));

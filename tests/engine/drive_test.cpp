@@ -15,8 +15,8 @@ EngineSetup channel(const std::string& folder, double wall, int segments = 1) {
   s.lo = {x0, -d, -d};
   s.hi = {x1, width + d, h};
   s.surfaces = {{"floor", rectangle({x0, 0, 0}, {x1 - x0, 0, 0}, {0, width, 0}), 0.2, 0.15},
-                {"left", rectangle({x0, 0, 0}, {x1 - x0, 0, 0}, {0, 0, h}), 0.0, 0.0},
-                {"right", rectangle({x0, width, 0}, {x1 - x0, 0, 0}, {0, 0, h}), 0.0, 0.0}};
+                {"left", rectangle({x0, 0, 0}, {x1 - x0, 0, 0}, {0, 0, h}), 0.0, 0.15},
+                {"right", rectangle({x0, width, 0}, {x1 - x0, 0, 0}, {0, 0, h}), 0.0, 0.15}};
   if (wall > 0) s.surfaces.push_back({"wall", rectangle({wall, 0, 0}, {0, width, 0}, {0, 0, h}), 0.5, 0.15});
   s.faces = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, width / segments, segments, 2 * d, 5 * d}};
   return s;
@@ -44,10 +44,16 @@ std::vector<NewGrain> layer(int columns, double front, double speed, std::int64_
 
 }  // namespace
 
-TEST(Raft, EntersAtItsMostAndIsFreeBeyondThePlane) {
+struct Raft : OnEngine {};
+struct Strip : OnEngine {};
+
+INSTANTIATE_TEST_SUITE_P(On, Raft, engines, name_of_engine);
+INSTANTIATE_TEST_SUITE_P(On, Strip, engines, name_of_engine);
+
+TEST_P(Raft, EntersAtItsMostAndIsFreeBeyondThePlane) {
   Folder folder;
   const EngineSetup setup = channel(folder.path, 0);
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker());
   engine.start(setup);
   AdvanceRequest request = steps(100);
   request.insert = layer(2, 0.5 * d, 0.5, 1);
@@ -80,11 +86,11 @@ TEST(Raft, EntersAtItsMostAndIsFreeBeyondThePlane) {
   EXPECT_EQ(a.segments[0][0].velocity, 0.5) << "with no grains it moves at its most";
 }
 
-TEST(Raft, ReleasedGrainsStayFreeWhenTheyComeBack) {
+TEST_P(Raft, ReleasedGrainsStayFreeWhenTheyComeBack) {
   Folder folder;
   EngineSetup setup = channel(folder.path, 0);
   setup.gravity = {-40, 0, -g};  // pushes them back out
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker());
   engine.start(setup);
   AdvanceRequest request = steps(1);
   request.insert = layer(1, 0.1 * d, 0.3, 1);
@@ -98,10 +104,10 @@ TEST(Raft, ReleasedGrainsStayFreeWhenTheyComeBack) {
   EXPECT_TRUE(came_back);
 }
 
-TEST(Raft, SegmentsMoveApart) {
+TEST_P(Raft, SegmentsMoveApart) {
   Folder folder;
   const EngineSetup setup = channel(folder.path, 0, 2);
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker());
   engine.start(setup);
   AdvanceRequest request = steps(200);
   request.insert = layer(1, 3 * d, 0.2, 1, 2);
@@ -114,11 +120,11 @@ TEST(Raft, SegmentsMoveApart) {
   EXPECT_NEAR(a.segments[0][0].displacement, 2 * a.segments[0][1].displacement, 1e-15);
 }
 
-TEST(Raft, AFreedGrainTakesTheVelocityAlongTheFace) {
+TEST_P(Raft, AFreedGrainTakesTheVelocityAlongTheFace) {
   Folder folder;
   EngineSetup setup = channel(folder.path, 0);
   setup.gravity = {0, 0, 0};
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker());
   engine.start(setup);
   AdvanceRequest request = steps(1);
   request.insert = {{1, {-0.01 * d, 2 * d, 2 * d}, {0.2, 0, 0}, 0.5 * d, 0, 0}};
@@ -132,10 +138,10 @@ TEST(Raft, AFreedGrainTakesTheVelocityAlongTheFace) {
 }
 
 // Grains stand jammed between the face and a wall: a raft with a finite push must stop, one with imposed velocity would not.
-TEST(Raft, IsStoppedByGrainsInItsWay) {
+TEST_P(Raft, IsStoppedByGrainsInItsWay) {
   Folder folder;
   const EngineSetup setup = channel(folder.path, 5 * 1.05 * d);
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker());
   engine.start(setup);
   AdvanceRequest request = steps(1);
   request.insert = layer(8, 0, 0.3, 1);
@@ -155,10 +161,10 @@ TEST(Raft, IsStoppedByGrainsInItsWay) {
   EXPECT_LT(a.max_overlap, 0.05) << "no piston";
 }
 
-TEST(Strip, FreeGrainsLeaveAtTheExitVelocity) {
+TEST_P(Strip, FreeGrainsLeaveAtTheExitVelocity) {
   Folder folder;
   const EngineSetup setup = channel(folder.path, 0);
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker());
   engine.start(setup);
   AdvanceRequest request = steps(50);
   request.insert = layer(4, 1 * d, 0, 1);

@@ -7,12 +7,16 @@ using namespace couloir;
 using namespace couloir::test;
 using testing::HasSubstr;
 
-TEST(Exchange, StartsEmptyAndFallsFreely) {
+struct Exchange : OnEngine {};
+
+INSTANTIATE_TEST_SUITE_P(On, Exchange, engines, name_of_engine);
+
+TEST_P(Exchange, StartsEmptyAndFallsFreely) {
   Folder folder;
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker());
   const EngineSetup setup = box(folder.path);
   engine.start(setup);
-  EXPECT_THAT(engine.name(), HasSubstr("LIGGGHTS 3.8.0"));
+  EXPECT_THAT(engine.name(), HasSubstr(yade() ? "YADE 2023" : "LIGGGHTS 3.8.0"));
   EXPECT_EQ(engine.advance(steps(10)).grains.size(), 0u);
   AdvanceRequest request = steps(100);
   NewGrain grain;
@@ -33,11 +37,11 @@ TEST(Exchange, StartsEmptyAndFallsFreely) {
 namespace {
 
 // A settled box; then, four times, `count` grains far above it come and go again. Returns the grains that stay.
-Grains with_visitors(int ranks, int count, int settling = 3000) {
+Grains with_visitors(const std::string& worker, int ranks, int count, int settling = 3000) {
   Folder folder;
   EngineSetup setup = box(folder.path);
   setup.ranks = ranks;
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker);
   engine.start(setup);
   AdvanceRequest request = steps(settling);
   request.insert = lattice(8, 4);
@@ -64,17 +68,17 @@ Grains with_visitors(int ranks, int count, int settling = 3000) {
 
 }  // namespace
 
-TEST(Exchange, LeavesTheOtherGrainsTheirBits) {
-  for (const int ranks : {1, 2}) {
-    const Grains one = with_visitors(ranks, 1), three = with_visitors(ranks, 3);
+TEST_P(Exchange, LeavesTheOtherGrainsTheirBits) {
+  for (const int ranks : OnEngine::ranks()) {
+    const Grains one = with_visitors(worker(), ranks, 1), three = with_visitors(worker(), ranks, 3);
     EXPECT_EQ(one.size(), 256u);
     EXPECT_TRUE(same_bits(one, three)) << ranks << " ranks";
   }
 }
 
 // An exchange builds the neighbour lists anew, and forces are then summed in another order: round-off, but no lost contact.
-TEST(Exchange, KeepsTheContactsOfTheOthers) {
-  const Grains none = with_visitors(1, 0, 30000), three = with_visitors(1, 3, 30000);
+TEST_P(Exchange, KeepsTheContactsOfTheOthers) {
+  const Grains none = with_visitors(worker(), 1, 0, 30000), three = with_visitors(worker(), 1, 3, 30000);
   ASSERT_EQ(none.size(), three.size());
   double largest = 0;
   for (std::size_t i = 0; i < none.size(); ++i) {
@@ -84,10 +88,10 @@ TEST(Exchange, KeepsTheContactsOfTheOthers) {
   EXPECT_LT(largest, 1e-9 * d);
 }
 
-TEST(Exchange, RefusesWhatCannotBe) {
+TEST_P(Exchange, RefusesWhatCannotBe) {
   const auto error = [](auto&& change) {
     Folder folder;
-    LiggghtsEngine engine;
+    WorkerEngine engine(worker());
     engine.start(box(folder.path));
     AdvanceRequest request = steps(5);
     request.insert = lattice(2, 2);
@@ -117,11 +121,11 @@ TEST(Exchange, RefusesWhatCannotBe) {
               HasSubstr("no finite position or velocity"));
 }
 
-TEST(Exchange, NamesGrainsThatLeftTheBox) {
+TEST_P(Exchange, NamesGrainsThatLeftTheBox) {
   Folder folder;
   EngineSetup setup = box(folder.path);
   setup.surfaces.resize(1);  // no walls
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker());
   engine.start(setup);
   AdvanceRequest request = steps(4000);
   request.insert = lattice(8, 2);

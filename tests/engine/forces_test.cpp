@@ -16,13 +16,19 @@ Vec sum(const std::vector<Vec>& forces) {
 
 }  // namespace
 
-TEST(SurfaceForces, OfSettledGrainsSumToTheWeightAlsoWhenTilted) {
+struct SurfaceForces : OnEngine {};
+struct Momentum : OnEngine {};
+
+INSTANTIATE_TEST_SUITE_P(On, SurfaceForces, engines, name_of_engine);
+INSTANTIATE_TEST_SUITE_P(On, Momentum, engines, name_of_engine);
+
+TEST_P(SurfaceForces, OfSettledGrainsSumToTheWeightAlsoWhenTilted) {
   for (const double tilt : {0.0, 45.0}) {
     Folder folder;
     EngineSetup setup = box(folder.path);
     const double a = tilt * std::numbers::pi / 180;
     setup.gravity = {g * std::sin(a), 0, -g * std::cos(a)};
-    LiggghtsEngine engine;
+    WorkerEngine engine(worker());
     engine.start(setup);
     AdvanceRequest request = steps(20000);
     request.insert = lattice(8, 6);
@@ -46,8 +52,8 @@ TEST(SurfaceForces, OfSettledGrainsSumToTheWeightAlsoWhenTilted) {
 
 // P1 - P0 = gravity + surfaces + driving + inserted - removed, window by window, with everything going on at once, checkpoints
 // included.
-TEST(Momentum, IsBookedExactly) {
-  for (const int ranks : {1, 2}) {
+TEST_P(Momentum, IsBookedExactly) {
+  for (const int ranks : OnEngine::ranks()) {
     Folder folder;
     EngineSetup setup = box(folder.path);
     setup.ranks = ranks;
@@ -62,7 +68,7 @@ TEST(Momentum, IsBookedExactly) {
     face.strip_begin = 0.1 * w;
     face.strip_end = 0.2 * w;
     setup.faces = {face};
-    LiggghtsEngine engine;
+    WorkerEngine engine(worker());
     engine.start(setup);
     const std::vector<NewGrain> all = lattice(8, 6);
     Grains before;

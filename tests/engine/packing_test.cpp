@@ -29,7 +29,7 @@ bool same(const Packing& a, const Packing& b) {
 
 TEST(Packing, IsDenseKeptAndRepeatable) {
   Folder work, cache, other;
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker_path("liggghts"));
   double last = 0;
   const Packing p = settled_packing(small(), engine, cache.path, work.path, [&](double done) { last = done; });
   EXPECT_GT(last, 0.3);
@@ -46,7 +46,7 @@ TEST(Packing, IsDenseKeptAndRepeatable) {
     EXPECT_TRUE(i == 0 || p.grains[i - 1].x <= q.x);
   }
   // kept: the engine cannot have made it again, for it has no worker
-  LiggghtsEngine none("/nowhere/worker");
+  WorkerEngine none("/nowhere/worker");
   EXPECT_TRUE(same(p, settled_packing(small(), none, cache.path, work.path)));
   // a cache that cannot be written costs only time, and is said
   std::string said;
@@ -78,5 +78,5 @@ TEST(Packing, ADamagedFileIsNotRead) {
 
 TEST(Packing, StableTimestep) {
   // d = 5 mm, E = 5 MPa, 2650 kg/m3: 5e-5 s was measured to be 16 % of the Rayleigh time
-  EXPECT_NEAR(stable_timestep(0.0025, 2650, 5e6, 0.25), 5e-5, 0.05e-5);
+  EXPECT_NEAR(stable_timestep(ContactLaw::hertz, {0.005, 0, 2650, 5e6, 0.25}), 5e-5, 0.05e-5);
 }

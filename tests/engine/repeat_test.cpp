@@ -6,12 +6,12 @@ using namespace couloir::test;
 
 namespace {
 
-Advanced run(int ranks) {
+Advanced run(const std::string& worker, int ranks) {
   Folder folder;
   EngineSetup setup = box(folder.path);
   setup.ranks = ranks;
   setup.gravity = {2, 0, -g};
-  LiggghtsEngine engine;
+  WorkerEngine engine(worker);
   engine.start(setup);
   AdvanceRequest request = steps(1500);
   request.insert = lattice(8, 3);
@@ -26,16 +26,20 @@ Advanced run(int ranks) {
 
 }  // namespace
 
-TEST(Repeat, OneRankHasTheSameBitsTwice) {
-  const Advanced a = run(1), b = run(1);
+struct Repeat : OnEngine {};
+
+INSTANTIATE_TEST_SUITE_P(On, Repeat, engines, name_of_engine);
+
+TEST_P(Repeat, OneRankHasTheSameBitsTwice) {
+  const Advanced a = run(worker(), 1), b = run(worker(), 1);
   EXPECT_EQ(a.grains.size(), 253u);
   EXPECT_TRUE(same_bits(a.grains, b.grains));
   EXPECT_EQ(a.surface_force, b.surface_force);
   EXPECT_EQ(a.kinetic_energy, b.kinetic_energy);
 }
 
-TEST(Repeat, TwoRanksHaveTheSameBitsTwice) {
-  const Advanced a = run(2), b = run(2);
+TEST(RepeatRanks, TwoRanksHaveTheSameBitsTwice) {
+  const Advanced a = run(worker_path("liggghts"), 2), b = run(worker_path("liggghts"), 2);
   EXPECT_EQ(a.grains.size(), 253u);
   EXPECT_TRUE(same_bits(a.grains, b.grains));
   EXPECT_EQ(a.surface_force, b.surface_force);

@@ -11,12 +11,26 @@
 #include <string>
 
 #include "coupling/engine/engine_error.hpp"
-#include "coupling/engine/liggghts_engine.hpp"
 #include "coupling/engine/packing.hpp"
+#include "coupling/engine/worker_engine.hpp"
 
 namespace couloir::test {
 
 constexpr double d = 0.004, density = 1120, g = 9.81;
+constexpr GrainStiffness stiffness{d, 0.1, density, 5e6, 0.25};
+
+// A test of the port, which is a test of each engine. In a test file:
+//   struct Exchange : OnEngine {};
+//   INSTANTIATE_TEST_SUITE_P(On, Exchange, engines, name_of_engine);
+struct OnEngine : testing::TestWithParam<std::string> {
+  static bool yade() { return GetParam() == "yade"; }
+  static std::string worker() { return worker_path(GetParam()); }
+  static std::vector<int> ranks() { return yade() ? std::vector{1} : std::vector{1, 2}; }
+};
+inline const auto engines = testing::Values("liggghts", "yade");
+inline std::string name_of_engine(const testing::TestParamInfo<std::string>& info) {
+  return info.param;
+}
 
 struct Folder {
   Folder() {
@@ -42,7 +56,7 @@ inline std::vector<Triangle> rectangle(Vec o, Vec a, Vec b) {
 inline EngineSetup box(const std::string& work_dir, int across = 8, double height = 0.08) {
   EngineSetup s;
   const double w = across * 1.12 * d;
-  s.timestep = stable_timestep(0.45 * d, density, 5e6, 0.25);
+  s.timestep = stable_timestep(ContactLaw::hertz, stiffness);
   s.gravity = {0, 0, -g};
   s.lo = {-d, -d, -d};
   s.hi = {w + d, w + d, height};

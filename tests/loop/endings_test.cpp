@@ -68,7 +68,7 @@ TEST(Endings, ARunawayEndsTheRunNamingThePlaceWithTheStateSaved) {
 
 TEST(Endings, AMissingWorkerIsAnEngineError) {
   RunOptions options = options_in(fresh_folder("missing"));
-  options.worker = "/nonexistent/worker";
+  options.workers = "/nonexistent";
   EXPECT_THROW(watch(small_scene("grains", {{"grains.seed", "20023"}}), options), EngineError);
 }
 

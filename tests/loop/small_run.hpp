@@ -50,7 +50,7 @@ inline std::string fresh_folder(const std::string& name) {
 inline RunOptions options_in(const std::string& folder) {
   RunOptions options;
   options.work_dir = folder;
-  options.worker = COULOIR_BINARY_DIR "/bin/couloir_liggghts_worker";
+  options.workers = COULOIR_BINARY_DIR "/bin";
   options.packings = COULOIR_BINARY_DIR "/test_packings";
   std::filesystem::create_directories(options.packings);
   return options;

@@ -1,5 +1,5 @@
 #pragma once
-// The grain engine LIGGGHTS behind the port, in a worker process of its own (coupling/workers).
+// A grain engine behind the port, in a worker process of its own (coupling/workers).
 
 #include <memory>
 #include <string>
@@ -8,16 +8,19 @@
 
 namespace couloir {
 
-// Where the worker lies: the folder COULOIR_WORKER_DIR of the environment, else that of the running program.
-std::string default_worker_path();
+// Where workers lie: the folder COULOIR_WORKER_DIR of the environment, else that of the running program.
+std::string default_worker_folder();
+// The worker of an engine: liggghts, yade.
+std::string worker_path(const std::string& engine, const std::string& folder = default_worker_folder());
 
 // See the port for the states. A stopped engine may be started again: it then is a new run in a new process.
-// Writes engine.log (the engine's own log), worker.log (all else that the worker prints) and surface_*.stl into the work folder.
+// Writes engine.log (the engine's own log), worker.log (all else that the worker prints) and LIGGGHTS's surface_*.stl into the
+// work folder.
 // start and restore must be called from a thread that lives as long as the run: the worker dies with it.
-class LiggghtsEngine final : public GrainEngine {
+class WorkerEngine final : public GrainEngine {
  public:
-  explicit LiggghtsEngine(std::string worker_path = default_worker_path());
-  ~LiggghtsEngine() override;
+  explicit WorkerEngine(std::string worker_path);
+  ~WorkerEngine() override;
 
   std::string name() const override;
   void start(const EngineSetup&) override;

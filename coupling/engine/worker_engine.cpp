@@ -1,8 +1,9 @@
-#include "coupling/engine/liggghts_engine.hpp"
+#include "coupling/engine/worker_engine.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <climits>
 #include <cstdlib>
@@ -24,6 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto slice = std::chrono::milliseconds(50);  // how soon a dead worker is noticed
 constexpr double time_to_end = 2;                      // [s] that a worker asked to stop gets
+constexpr double time_to_load = 60;                    // [s] that it gets at least to load its engine
 
 double seconds_since(Clock::time_point t) {
   return std::chrono::duration<double>(Clock::now() - t).count();
@@ -51,7 +53,7 @@ std::string tail(const std::filesystem::path& file) {
 
 }  // namespace
 
-struct LiggghtsEngine::Run {
+struct WorkerEngine::Run {
   zmq::context_t context{1};
   zmq::socket_t socket{context, zmq::socket_type::pair};
   std::unique_ptr<WorkerProcess> process;
@@ -74,36 +76,39 @@ struct LiggghtsEngine::Run {
   }
 };
 
-std::string default_worker_path() {
-  const std::string worker = "couloir_liggghts_worker";
-  if (const char* folder = std::getenv("COULOIR_WORKER_DIR"); folder && *folder) return std::string(folder) + "/" + worker;
+std::string default_worker_folder() {
+  if (const char* folder = std::getenv("COULOIR_WORKER_DIR"); folder && *folder) return folder;
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? worker : (self.parent_path() / worker).string();
+  return error ? "." : self.parent_path().string();
 }
 
-LiggghtsEngine::LiggghtsEngine(std::string worker_path) : worker_path_(std::move(worker_path)) {}
-LiggghtsEngine::~LiggghtsEngine() {
+std::string worker_path(const std::string& engine, const std::string& folder) {
+  return fmt::format("{}/couloir_{}_worker", folder, engine);
+}
+
+WorkerEngine::WorkerEngine(std::string worker_path) : worker_path_(std::move(worker_path)) {}
+WorkerEngine::~WorkerEngine() {
   stop();
 }
 
-std::string LiggghtsEngine::name() const {
+std::string WorkerEngine::name() const {
   return name_;
 }
-int LiggghtsEngine::worker_pid() const {
+int WorkerEngine::worker_pid() const {
   return run_ ? run_->pid : 0;
 }
 
-void LiggghtsEngine::start(const EngineSetup& setup) {
+void WorkerEngine::start(const EngineSetup& setup) {
   open(setup, "");
 }
 
-void LiggghtsEngine::restore(const EngineSetup& setup, const std::string& path) {
+void WorkerEngine::restore(const EngineSetup& setup, const std::string& path) {
   if (!std::filesystem::exists(path)) throw EngineError(fmt::format("the grain engine's checkpoint {} does not exist", path));
   open(setup, path);
 }
 
-void LiggghtsEngine::open(const EngineSetup& setup, const std::string& checkpoint) {
+void WorkerEngine::open(const EngineSetup& setup, const std::string& checkpoint) {
   if (run_) throw EngineError("the grain engine is running already; stop it first");
   if (!std::filesystem::is_directory(setup.work_dir)) {
     throw EngineError(fmt::format("the grain engine's work folder '{}' does not exist", setup.work_dir));
@@ -112,7 +117,6 @@ void LiggghtsEngine::open(const EngineSetup& setup, const std::string& checkpoin
   start.setup.work_dir = std::filesystem::absolute(setup.work_dir).string();
   run_ = std::make_unique<Run>();
   run_->work_dir = start.setup.work_dir;
-  run_->timeout = setup.timeout;
   try {
     std::error_code error;
     std::filesystem::remove(run_->work_dir / "engine.log", error);
@@ -122,11 +126,13 @@ void LiggghtsEngine::open(const EngineSetup& setup, const std::string& checkpoin
     run_->process = std::make_unique<WorkerProcess>(worker_path_, std::vector<std::string>{endpoint}, setup.ranks,
                                                     (run_->work_dir / "worker.log").string());
     protocol::Hello hello;
+    run_->timeout = std::max(setup.timeout, time_to_load);
     protocol::decode(ask(""), hello);
     run_->pid = hello.pid;
     protocol::Started started;
     protocol::decode(ask(protocol::encode(start)), started);
     name_ = started.engine;
+    run_->timeout = setup.timeout;
   } catch (const zmq::error_t& e) {
     stop();
     throw EngineError(fmt::format("the connection to the grain engine's worker failed: {}", e.what()));
@@ -137,7 +143,7 @@ void LiggghtsEngine::open(const EngineSetup& setup, const std::string& checkpoin
 }
 
 // Sends a command (an empty one only listens) and waits for its answer. Throws where the worker dies, is silent, or fails.
-std::string LiggghtsEngine::ask(const std::string& message) {
+std::string WorkerEngine::ask(const std::string& message) {
   if (!run_) throw EngineError("the grain engine is not running: it was not started, was stopped, or failed before");
   try {
     if (!message.empty()) run_->socket.send(zmq::buffer(message), zmq::send_flags::dontwait);
@@ -170,13 +176,13 @@ std::string LiggghtsEngine::ask(const std::string& message) {
   }
 }
 
-void LiggghtsEngine::fail(const std::string& reason) {
+void WorkerEngine::fail(const std::string& reason) {
   const std::filesystem::path folder = run_->work_dir;
   run_.reset();  // kills
   throw EngineError(reason + tail(folder / "engine.log") + tail(folder / "worker.log"));
 }
 
-Advanced LiggghtsEngine::advance(const AdvanceRequest& request) {
+Advanced WorkerEngine::advance(const AdvanceRequest& request) {
   const std::string answer = ask(protocol::encode(request));
   Advanced result;
   try {
@@ -188,14 +194,14 @@ Advanced LiggghtsEngine::advance(const AdvanceRequest& request) {
   return result;
 }
 
-void LiggghtsEngine::checkpoint(const std::string& path) {
+void WorkerEngine::checkpoint(const std::string& path) {
   const std::string answer = ask(protocol::encode(protocol::Checkpoint{std::filesystem::absolute(path).string()}));
   if (const protocol::Kind kind = protocol::kind_of(answer); kind != protocol::Kind::done) {
     fail(fmt::format("the grain engine's worker answered a checkpoint with '{}'", protocol::to_string(kind)));
   }
 }
 
-void LiggghtsEngine::stop() {
+void WorkerEngine::stop() {
   if (!run_) return;
   try {
     if (run_->process && run_->process->running()) {

@@ -1,0 +1,216 @@
+"""Rafts and exit strips of the rim faces (coupling/engine/grain_engine.hpp), every step, after all forces.
+
+    x += dt v                                     the step's drift, with the velocity set a step ago
+    f  = contacts
+    release     distance >= 0: free for good
+    raft        u <- u + dt (sum (f + m g).n + push) / m, clipped to [least, most]
+    set         v = u n for the next drift; the grains' degrees of freedom are blocked, so the integrator leaves them alone
+
+A raft is moved by a TranslationEngine and its forces are summed by a ForceRecorder, both C++ over a list of bodies: a step costs
+the same however many grains a raft has. Grains of a strip keep the velocity they are given, since nothing else changes it.
+"""
+import math
+
+import numpy as np
+from yade.minieigenHP import Vector3
+from yade.wrapper import ForceRecorder, TranslationEngine
+
+from .book import POSITION, states_of
+from .messages import Drive as SegmentDrive
+
+FIXED, FREE = "xyzXYZ", ""
+STRIP_SLACK = 0.02  # [diameters] that a grain may go between two looks at who is in a strip
+
+
+class Member:
+    """A grain that is held: its id, body, mass and state; key: what a raft's travel must reach for it to pass the plane."""
+
+    def __init__(self, id, body, mass, state, key=0.0):
+        self.id, self.body, self.mass, self.state, self.key = id, body, mass, state, key
+
+
+class Raft:
+    def __init__(self, face):
+        self.face = face
+        self.origin, self.inward, self.along = (Vector3(*v.tolist()) for v in (face.origin, face.inward, face.along))
+        self.drive = SegmentDrive()
+        self.velocity = self.mass = self.travel = self.displacement = self.force = 0.0
+        self.members = []  # the next to pass the plane last
+        self.mover = TranslationEngine(translationAxis=self.inward, dead=True)
+        self.probe = ForceRecorder()
+
+    def distance(self, position):
+        return (position - self.origin).dot(self.inward)
+
+    def settle_members(self):
+        """After members came or went."""
+        self.members.sort(key=lambda m: (m.key, -m.id))
+        self.mass = math.fsum(m.mass for m in self.members)
+        self.mover.ids = self.probe.ids = [m.body for m in self.members]
+        self.mover.dead = not self.members
+
+    def speed(self, wanted):
+        d = self.drive
+        return d.most if not self.members or self.mass < d.least_mass else min(max(wanted, d.least), d.most)
+
+
+class Drive:
+    def __init__(self, setup, wrap):
+        self._gravity = Vector3(*setup.gravity.tolist())
+        self._dt = setup.timestep
+        self._edge = setup.max_radius  # a strip reaches so far past its face's ends
+        self._slack = STRIP_SLACK * 2 * setup.max_radius
+        self._wrap = wrap
+        self.faces = setup.faces
+        self.rafts = [Raft(face) for face in setup.faces for _ in range(face.segments)]
+        self.first_raft = np.cumsum([0] + [face.segments for face in setup.faces])
+        self.held = {}  # by id: the grains in strips
+        self._strip_probe = ForceRecorder()
+        self._near = []
+        self.taken = Vector3.Zero
+        self._taken_sum = self._taken_first = self._jump = Vector3.Zero
+        self._held_mass = 0.0
+
+    def movers(self):
+        return [raft.mover for raft in self.rafts]
+
+    def driven_ids(self):
+        """Ids of driven grains and the raft of each."""
+        pairs = [(m.id, k) for k, raft in enumerate(self.rafts) for m in raft.members]
+        return np.array(pairs, np.int64).reshape(-1, 2).T
+
+    def has_strips(self):
+        return bool(self.held) or any(raft.drive.exit_active for raft in self.rafts)
+
+    def holds(self, id):
+        return id in self.held or any(m.id == id for raft in self.rafts for m in raft.members)
+
+    def forget(self, ids):
+        """Of grains that are removed."""
+        gone = set(ids)
+        for raft in self.rafts:
+            if any(m.id in gone for m in raft.members):
+                raft.members = [m for m in raft.members if m.id not in gone]
+                raft.settle_members()
+        if gone & self.held.keys():
+            for id in gone:
+                self.held.pop(id, None)
+            self.settle_held()
+
+    def begin_window(self, drives):
+        """Before grains are put in; `drives` are empty or one for each segment of each face."""
+        self._jump = self._taken_sum = Vector3.Zero
+        self._taken_first = self.taken
+        self._near = []
+        for raft, drive in zip(self.rafts, [d for face in drives for d in face]):
+            raft.drive = drive
+        for raft in self.rafts:
+            raft.displacement = raft.force = 0.0
+            self._set_speed(raft, raft.speed(raft.velocity))
+
+    def put_in(self, raft, member, velocity):
+        """A new grain of a raft; velocity: as it was given."""
+        member.state.blockedDOFs = FIXED
+        member.key = raft.distance(member.state.pos) - raft.travel
+        self._jump = self._jump + member.mass * (raft.velocity * raft.inward - velocity)
+        raft.members.append(member)
+
+    def watch(self, ids, bodies, mass, states, steps, body_of):
+        """Notes the free grains that may be in a strip within so many steps; all arguments are of grains that are not driven."""
+        exits = [raft.drive.exit_velocity for raft in self.rafts if raft.drive.exit_active]
+        if not len(ids):
+            return
+        fastest = math.sqrt(max([(states[:, 3:6] ** 2).sum(1).max()] + [sum(c * c for c in v) for v in exits]))
+        reach = 2 * fastest * steps * self._dt + 2 * self._edge  # room for grains that speed up
+        position = self._wrap(states[:, POSITION])
+        near = np.isin(ids, np.array(list(self.held), np.int64))
+        for face in self.faces:
+            d = (position - face.origin) @ face.inward
+            near |= (d >= -face.strip_end - reach) & (d <= -face.strip_begin + reach)
+        self._near = [self.held.get(int(i)) or Member(int(i), int(b), float(m), body_of(int(b)).state)
+                      for i, b, m in zip(ids[near], bodies[near], mass[near])]
+        self._pause = max(1, int(self._slack / (fastest * self._dt))) if fastest > 0 else 1
+        self._until_look = 0
+
+    def post_force(self, last):
+        taken = Vector3.Zero
+        for raft in self.rafts:
+            way = raft.velocity * self._dt
+            raft.displacement += way
+            raft.travel += way
+            if raft.members and raft.distance(raft.members[-1].state.pos) >= 0:
+                self._release(raft)
+            if not raft.members:
+                raft.velocity = raft.drive.most
+                continue
+            raft.probe()
+            force = raft.probe.totalForce + raft.mass * self._gravity
+            along = force.dot(raft.inward)
+            raft.force += along
+            self._set_speed(raft, raft.speed(raft.velocity + self._dt * (along + raft.drive.push) / raft.mass))
+            taken = taken + force
+        if self._near:
+            if self._until_look == 0 or last:
+                self._look()
+                self._until_look = self._pause
+            self._until_look -= 1
+        if self.held:
+            self._strip_probe()
+            taken = taken + self._strip_probe.totalForce + self._held_mass * self._gravity
+        self.taken = taken
+        self._taken_sum = self._taken_sum + taken
+
+    def impulse(self):
+        """[N s] that setting velocities gave to the grains beyond the forces that it took away, in this window."""
+        return self._jump - self._dt * (self._taken_sum + 0.5 * (self._taken_first - self.taken))
+
+    def settle_held(self):
+        members = [self.held[id] for id in sorted(self.held)]
+        self._held_mass = math.fsum(m.mass for m in members)
+        self._strip_probe.ids = [m.body for m in members]
+
+    def _set_speed(self, raft, speed):
+        if raft.members:
+            self._jump = self._jump + raft.mass * (speed - raft.velocity) * raft.inward
+        raft.velocity = raft.mover.velocity = speed
+
+    def _release(self, raft):
+        while raft.members and raft.distance(raft.members[-1].state.pos) >= 0:
+            m = raft.members.pop()
+            aside = raft.drive.along * raft.along
+            m.state.vel = raft.velocity * raft.inward + aside
+            m.state.blockedDOFs = FREE
+            self._jump = self._jump + m.mass * aside
+        raft.settle_members()
+
+    def _look(self):
+        """Who is in a strip now?"""
+        position = self._wrap(states_of([m.body for m in self._near])[:, POSITION])
+        raft_of = np.full(len(position), -1)
+        for face, first in zip(self.faces, self.first_raft):
+            d = (position - face.origin) @ face.inward
+            s = (position - face.origin) @ face.along
+            within = ((d >= -face.strip_end) & (d <= -face.strip_begin) & (s >= -self._edge) &
+                      (s <= face.segments * face.segment_width + self._edge) & (raft_of < 0))
+            segment = np.clip(np.floor(s / face.segment_width).astype(int), 0, face.segments - 1)
+            active = np.array([self.rafts[first + k].drive.exit_active for k in range(face.segments)])
+            raft_of = np.where(within & active[segment], first + segment, raft_of)
+        changed = False
+        for row in np.flatnonzero((raft_of >= 0) | np.array([m.id in self.held for m in self._near])):
+            m = self._near[row]
+            if raft_of[row] < 0:
+                m.state.blockedDOFs = FREE
+                del self.held[m.id]
+                changed = True
+                continue
+            velocity = Vector3(*self.rafts[raft_of[row]].drive.exit_velocity)
+            if m.id not in self.held:
+                m.state.blockedDOFs = FIXED
+                m.state.angVel = Vector3.Zero
+                self.held[m.id] = m
+                changed = True
+            if m.state.vel != velocity:
+                self._jump = self._jump + m.mass * (velocity - m.state.vel)
+                m.state.vel = velocity
+        if changed:
+            self.settle_held()

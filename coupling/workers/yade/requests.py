@@ -1,0 +1,61 @@
+"""What a request must be. The sentences are those of the other engine's worker."""
+import numpy as np
+
+LARGEST = 2147483647
+
+
+class Refused(Exception):
+    pass
+
+
+def check(request, setup, book):
+    if request.steps < 0 or request.steps > LARGEST or (request.steps == 0 and (request.insert or len(request.remove))):
+        raise Refused(f"an advance over {request.steps} steps is not possible")
+    for g in request.insert:
+        check_grain(g, setup)
+    check_ids(request, book)
+    check_drives(request.drives, setup.faces)
+
+
+def check_grain(g, setup):
+    if not 0 < g.id <= LARGEST:
+        raise Refused(f"a grain's id must be in 1..{LARGEST}, not {g.id}")
+    if not np.isfinite(g.position + g.velocity).all():
+        raise Refused(f"the new grain {g.id} has no finite position or velocity")
+    if not 0 < g.radius <= setup.max_radius:
+        raise Refused(f"the new grain {g.id} has radius {g.radius:g} m; allowed are radii up to {setup.max_radius:g} m")
+    if any(not p and not lo <= x <= hi for p, lo, x, hi in zip(setup.periodic, setup.lo, g.position, setup.hi)):
+        x, y, z = g.position
+        raise Refused(f"the new grain {g.id} at ({x:g}, {y:g}, {z:g}) m lies outside of the box")
+    if g.segment >= 0 and not (0 <= g.face < len(setup.faces) and g.segment < setup.faces[g.face].segments):
+        raise Refused(f"the new grain {g.id} is to be driven by segment {g.segment} of face {g.face}, which does not exist")
+
+
+def check_ids(request, book):
+    """Every id to be removed is there, once; no new id is there yet."""
+    seen = set()
+    for id, there in zip(request.remove.tolist(), book.has(request.remove)):
+        if not there:
+            raise Refused(f"the grain {id} is to be removed, which is unknown")
+        if id in seen:
+            raise Refused(f"the grain {id} is to be removed twice")
+        seen.add(id)
+    new = [g.id for g in request.insert]
+    for id, there in zip(new, book.has(np.array(new, np.int64))):
+        if id in seen:
+            raise Refused(f"the new grain {id} is given twice, or also removed")
+        if there:
+            raise Refused(f"the new grain {id} has the id of a grain that is there already")
+        seen.add(id)
+
+
+def check_drives(drives, faces):
+    if not drives:
+        return
+    if [len(face) for face in drives] != [face.segments for face in faces]:
+        raise Refused("the drives given are not one for each segment of each face")
+    for f, face in enumerate(drives):
+        for d in face:
+            if not d.least <= d.most or not np.isfinite([d.push, d.along, *d.exit_velocity]).all():
+                raise Refused(f"face {f} has a drive with velocities {d.least:g}..{d.most:g} m/s and push {d.push:g} N, which is "
+                              "not possible")
