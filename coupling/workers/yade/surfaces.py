@@ -44,7 +44,7 @@ class Probes:
     def read(self):
         for recorder in self._recorders:
             recorder()
-        self.last = [recorder.totalForce for recorder in self._recorders]
+        self.last = [Vector3(recorder.totalForce) for recorder in self._recorders]  # copies: totalForce is a view
         self._sum = [s + f for s, f in zip(self._sum, self.last)]
         self._steps += 1
 
