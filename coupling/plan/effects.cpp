@@ -188,13 +188,15 @@ struct Listing {
   Effect grain_engine() const {
     if (!grains) return {"grain_engine", false, mode + ": no engine is started"};
     return {"grain_engine", true,
-            fmt::format("{}: {}, grains of {}, {} rank{}", mode, s.grains.engine, len(s.grains.diameter), s.grains.ranks,
-                        s.grains.ranks == 1 ? "" : "s")};
+            fmt::format("{}: {}, contact {}, grains of {}, {} rank{}", mode, s.grains.engine, s.grains.contact,
+                        len(s.grains.diameter), s.grains.ranks, s.grains.ranks == 1 ? "" : "s")};
   }
 
   Effect rolling_friction() const {
     const GrainMaterial& g = s.material.grain;
     if (!grains) return {"rolling_friction", false, mode + ": no grains"};
+    if (s.grains.contact != "hertz")
+      return {"rolling_friction", false, "grains.contact is " + s.grains.contact + ", which has none"};
     const bool on = g.rolling_friction > 0 || g.base_rolling_friction > 0;
     return {"rolling_friction", on,
             fmt::format("{:g} between grains, {:g} on surfaces", g.rolling_friction, g.base_rolling_friction)};

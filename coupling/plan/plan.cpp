@@ -18,9 +18,9 @@ namespace couloir {
 namespace {
 
 // Speeds of one core of about 2024, measured in whole runs of 1e5 to 2e6 cells, records included. Grains: LIGGGHTS made 2.0
-// to 3.7 million; two ranks gave 1.7 times one.
-constexpr double cell_updates_per_second = 3e7, noc_updates_per_second = 1.5e7, particle_steps_per_second = 2.5e6,
-                 rank_exponent = 0.77;
+// to 3.7 million particle-steps, YADE 0.5 to 0.8; two ranks gave 1.7 times one.
+constexpr double cell_updates_per_second = 3e7, noc_updates_per_second = 1.5e7, liggghts_per_second = 2.5e6,
+                 yade_per_second = 0.6e6, rank_exponent = 0.77;
 constexpr double bytes_per_cell = 240, noc_bytes_per_cell = 700, bytes_per_grain = 2000;
 
 std::string len(double value) {
@@ -201,8 +201,8 @@ Plan make_plan(const Scene& scene) {
     const double idle = plan.zone && !fed(scene) ? flow_estimate_at(scene, plan.zone->box.x0).time / 2 : 0;
     plan.engine_steps = whole(std::max(0.0, scene.duration - idle) / plan.engine_dt);
     plan.memory += bytes_of_engine * scene.grains.ranks + bytes_per_grain * count;
-    plan.time_engine = count * static_cast<double>(plan.engine_steps) /
-                       (particle_steps_per_second * std::pow(scene.grains.ranks, rank_exponent));
+    const double rate = scene.grains.engine == "yade" ? yade_per_second : liggghts_per_second;
+    plan.time_engine = count * static_cast<double>(plan.engine_steps) / (rate * std::pow(scene.grains.ranks, rank_exponent));
   }
   plan.time = plan.time_continuum + plan.time_engine;
   check_limits(scene, plan);

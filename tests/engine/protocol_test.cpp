@@ -61,7 +61,7 @@ TEST(Protocol, RequestAndAnswerGoThereAndBack) {
 
 TEST(Protocol, AnotherVersionIsRefused) {
   const std::string message = protocol::encode(protocol::Kind::done, protocol::version + 1);
-  EXPECT_THAT(test::error_of([&] { protocol::kind_of(message); }), HasSubstr("protocol version 2 against 1; build both again"));
+  EXPECT_THAT(test::error_of([&] { protocol::kind_of(message); }), HasSubstr("protocol version 3 against 2; build both again"));
 }
 
 TEST(Protocol, GarbledAndMisplacedMessagesAreRefused) {

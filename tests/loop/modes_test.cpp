@@ -53,6 +53,40 @@ TEST(Modes, AZoneMayEndWithTheDomain) {
   EXPECT_GT(run.windows.back().mass.left_domain, 0.05);
 }
 
+// The other engine, the other law: mass and momentum kept as above, and the same wall read.
+TEST(Modes, YadeCarriesACoupledRunWithEitherContactLaw) {
+  for (const char* contact : {"hertz", "kelvin_voigt"}) {
+    const Overrides law{{"grains.contact", contact}};
+    Overrides yade = law;
+    yade.push_back({"grains.engine", "yade"});
+    const Watched run = watch(small_scene("coupled", yade), options_in(fresh_folder("yade")));
+    EXPECT_EQ(run.end.status, "done");
+    EXPECT_NE(run.end.engine.find("YADE"), std::string::npos);
+    double residual = 0;
+    for (const WindowReport& w : run.windows) {
+      ASSERT_LE(w.mass.relative_error(), 1e-12) << "at " << w.time;
+      EXPECT_LT(w.max_overlap, 0.1) << "at " << w.time;
+      if (w.momentum.scale > 0) residual = std::max(residual, std::abs(w.momentum.residual) / w.momentum.scale);
+    }
+    EXPECT_LT(residual, 0.02);
+    EXPECT_GT(run.windows.back().inserted, 500);
+    EXPECT_GT(run.windows.back().returned, 50);
+    const double liggghts = impulse(watch(small_scene("coupled", law), options_in(fresh_folder("liggghts"))));
+    EXPECT_NEAR(impulse(run) / liggghts, 1, 0.1) << contact;
+  }
+}
+
+TEST(Modes, YadeCarriesTheWholeFlowAndKeepsMomentum) {
+  const Watched run =
+      watch(small_scene("grains", {{"grains.engine", "yade"}, {"duration", "0.2 s"}}), options_in(fresh_folder("y")));
+  for (const WindowReport& w : run.windows) {
+    ASSERT_LE(w.mass.relative_error(), 1e-12) << "at " << w.time;
+    ASSERT_LE(std::abs(w.momentum.residual), 1e-9 * w.momentum.scale) << "at " << w.time;
+  }
+  EXPECT_EQ(run.windows.back().mass.left_domain, 0);
+  EXPECT_GT(impulse(run), 0);
+}
+
 TEST(Modes, TwoRanksCarryACoupledRun) {
   const Watched run =
       watch(small_scene("coupled", {{"grains.ranks", "2"}, {"duration", "0.15 s"}}), options_in(fresh_folder("ranks")));

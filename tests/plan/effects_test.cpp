@@ -40,7 +40,7 @@ TEST(Effects, OfTheWall) {
   expect(s, "solid_bodies", true, "in the zone of grains: wall (80 mm high)");
   expect(s, "inflow", false, "no side of the domain is an inflow");
   expect(s, "periodic_sides", false, "no sides are periodic");
-  expect(s, "grain_engine", true, "mode is coupled: liggghts, grains of 4 mm, 1 rank");
+  expect(s, "grain_engine", true, "mode is coupled: liggghts, contact hertz, grains of 4 mm, 1 rank");
   expect(s, "side_friction", false, "neither the left nor the right side is a wall");
   expect(s, "coupling", true, "mode is coupled, with an automatic zone around the obstacles");
   EXPECT_FALSE(effect(s, "airborne").on);
@@ -74,6 +74,12 @@ TEST(Effects, OfOtherModes) {
   expect(grains, "solid_bodies", true, "among the grains: wall (80 mm high)");
   expect(grains, "steps_of_the_bed", false, "mode is grains: grains meet the obstacles as solid bodies");
   expect(grains, "airborne", false, "mode is grains: grains fly as grains");
+}
+
+TEST(Effects, OfTheLinearContactLaw) {
+  const Scene s = experiment("chiou_wall", {{"grains.contact", "kelvin_voigt"}, {"grains.engine", "yade"}});
+  expect(s, "grain_engine", true, "mode is coupled: yade, contact kelvin_voigt, grains of 4 mm, 1 rank");
+  expect(s, "rolling_friction", false, "grains.contact is kelvin_voigt, which has none");
 }
 
 TEST(Effects, SwitchedOff) {

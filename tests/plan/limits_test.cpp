@@ -31,6 +31,11 @@ TEST(Limits, AnEngineStepIsAtMostAQuarterAboveTheStableOne) {
   EXPECT_TRUE(holds(why, "--set grains.timestep") && holds(why, "at most 29.19 us")) << why;
 }
 
+TEST(Limits, ALinearContactHasItsOwnStableStep) {
+  const std::string why = refusal({{"grains.timestep", "1 ms"}, {"grains.contact", "kelvin_voigt"}});
+  EXPECT_TRUE(holds(why, "at most ") && holds(why, "a sixteenth of its contact time")) << why;
+}
+
 TEST(Limits, AWindowIsShorterThanTheFlowsWayThroughHalfTheDrivenLayer) {
   EXPECT_EQ(refusal({{"grains.window", "100"}}), "");
   const std::string why = refusal({{"grains.window", "3000"}});

@@ -66,6 +66,13 @@ TEST(Plan, GrainsHasNoMesh) {
   EXPECT_GT(plan.time_engine, make_plan(experiment("chiou_wall")).time_engine) << "a zone has fewer grains than the whole flow";
 }
 
+TEST(Plan, TheSlowerEngineAndTheStifferLawTakeLonger) {
+  const double hertz = make_plan(experiment("chiou_wall")).time_engine;
+  EXPECT_GT(make_plan(experiment("chiou_wall", {{"grains.engine", "yade"}})).time_engine, 3 * hertz);
+  const Plan linear = make_plan(experiment("chiou_wall", {{"grains.contact", "kelvin_voigt"}}));
+  EXPECT_GT(linear.time_engine, hertz);
+}
+
 TEST(Plan, OfAContinuumSceneWithoutGrains) {
   Scene scene = experiment("chiou_wall", {{"mode", "continuum"}});
   scene.grains.diameter = 0;

@@ -34,6 +34,15 @@ TEST_F(Check, EnoIsForNocAlone) {
       "");
 }
 
+TEST_F(Check, YadeRunsOnOneRank) {
+  EXPECT_EQ(error(good_scene, {{"grains.engine", "yade"}, {"grains.contact", "kelvin_voigt"}}), "");
+  EXPECT_EQ(error(good_scene, {{"grains.engine", "yade"}, {"grains.ranks", "2"}}),
+            "--set grains.ranks: grains.ranks is 2, but yade runs on one rank; leave it out, or use grains.engine: liggghts");
+  EXPECT_EQ(error(good_scene, {{"grains.engine", "yade"}, {"grains.ranks", "2"}, {"mode", "continuum"}}), "");
+  EXPECT_THAT(error(good_scene, {{"grains.engine", "yades"}}), testing::HasSubstr("yade"));
+  EXPECT_THAT(error(good_scene, {{"grains.contact", "hooke"}}), testing::HasSubstr("hertz, kelvin_voigt"));
+}
+
 TEST_F(Check, ObstacleInTheDomain) {
   EXPECT_EQ(error(replaced(good_scene, "[1.2 m, 0]", "[1.99 m, 0]")),
             "scene.yaml:6: obstacles.wall covers x from 1.99 m to 2.01 m and y from -50 mm to 50 mm, which reaches out of the "
