@@ -50,6 +50,46 @@ TEST_P(SurfaceForces, OfSettledGrainsSumToTheWeightAlsoWhenTilted) {
   }
 }
 
+// A slab that slides along a periodic box: it goes round several times, and comes back into the box.
+TEST_P(SurfaceForces, AndMomentumInAPeriodicBox) {
+  Folder folder;
+  const double w = 8 * 1.12 * d;
+  EngineSetup setup = box(folder.path);
+  setup.gravity = {0.6 * g, 0.1 * g, -g};
+  setup.lo = {-0.3 * w, 0.1 * w, -d};
+  setup.hi = {0.7 * w, 1.1 * w, 0.08};
+  setup.periodic = {true, true, false};
+  setup.surfaces = {{"floor", rectangle({-0.3 * w, 0.1 * w, 0}, {w, 0, 0}, {0, w, 0}), 0.2, 0.15}};
+  WorkerEngine engine(worker());
+  engine.start(setup);
+  AdvanceRequest request = steps(2000);
+  request.insert = lattice(8, 3);
+  for (NewGrain& n : request.insert) {  // already under way, and laid over the box's sides
+    n.position[0] -= 0.3 * w;
+    n.position[1] += 0.1 * w;
+    n.velocity[0] += 3;
+  }
+  Advanced before = engine.advance(request);
+  double worst = 0, way = 0;
+  for (int window = 0; window < 20; ++window) {
+    const Advanced a = engine.advance(steps(150));
+    const double time = 150 * setup.timestep, m = mass(a.grains);
+    const Vec p0 = momentum(before.grains), p1 = momentum(a.grains), force = sum(a.surface_force);
+    for (int k = 0; k < 3; ++k)
+      worst = std::max(worst, std::abs(p1[k] - p0[k] - (m * setup.gravity[k] - force[k]) * time) / (m * g * time));
+    way += time * p1[0] / m;
+    for (std::size_t i = 0; i < a.grains.size(); ++i) {
+      ASSERT_TRUE(a.grains.x[i] >= setup.lo[0] && a.grains.x[i] <= setup.hi[0]) << a.grains.x[i];
+      ASSERT_TRUE(a.grains.y[i] >= setup.lo[1] && a.grains.y[i] <= setup.hi[1]) << a.grains.y[i];
+    }
+    EXPECT_LT(a.max_overlap, 0.05);
+    before = a;
+  }
+  EXPECT_EQ(before.grains.size(), 192u);
+  EXPECT_GT(way, 3 * w);
+  EXPECT_LT(worst, 1e-9);
+}
+
 // P1 - P0 = gravity + surfaces + driving + inserted - removed, window by window, with everything going on at once, checkpoints
 // included.
 TEST_P(Momentum, IsBookedExactly) {

@@ -82,8 +82,9 @@ class Drive:
     def has_strips(self):
         return bool(self.held) or any(raft.drive.exit_active for raft in self.rafts)
 
-    def holds(self, id):
-        return id in self.held or any(m.id == id for raft in self.rafts for m in raft.members)
+    def all_held(self):
+        """Ids of the grains of rafts and strips, which get no kicks."""
+        return self.held.keys() | {m.id for raft in self.rafts for m in raft.members}
 
     def forget(self, ids):
         """Of grains that are removed."""

@@ -76,9 +76,10 @@ class Session:
         """Returns the impulse [N s] of the half kick that the others get from grains that are gone, with gravity left out."""
         impulse = Vector3.Zero
         half = 0.5 * self.setup.timestep
+        held = self.drive.all_held() if len(ids) else ()
         rows = self.book.rows(ids)
         for id, body, mass in zip(ids.tolist(), self.book.bodies[rows].tolist(), self.book.mass[rows].tolist()):
-            impulse = impulse + (half * mass * self._gravity if self.drive.holds(id) else -half * O.forces.f(body))
+            impulse = impulse + (half * mass * self._gravity if id in held else -half * O.forces.f(body))
             O.bodies.erase(body)
         self.drive.forget(ids.tolist())
         self.book.remove(ids)
