@@ -91,7 +91,8 @@ class Session:
         if not grains:
             return impulse
         spheres = [utils.sphere(Vector3(*g.position), g.radius, material=0, mask=GRAIN_MASK) for g in grains]
-        ids = O.bodies.append(spheres)
+        few = len(spheres) < 0.3 * len(self.book)  # else a sort from scratch is as good
+        ids = self._stepper.sort_in(spheres) if few else O.bodies.append(spheres)
         rafts = set()
         for g, id, sphere in zip(grains, ids, spheres):
             state = sphere.state
