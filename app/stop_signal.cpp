@@ -17,7 +17,7 @@ void on_signal(int signal) {
 
 void note_stop_signals() {
   interrupted = 0;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_signal);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(signal, on_signal);
 }
 
 bool told_to_stop() {

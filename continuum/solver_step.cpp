@@ -144,7 +144,7 @@ void Solver::Impl::look_ahead(int level, double from, double to, double dt) {
                         StageName::predictor, dt, nobodys);
     }
   }
-  for (int k : levels[level + 1].chosen) ghosts->look_ahead(states, k, owned);
+  for (int k : levels[level + 1].chosen) ghosts->look_ahead(states, k, settings.dry_depth, owned);
   halo.tell_looks(level + 1, *ghosts);
   for (int k : beside) {
     states[k].back_to_start(mesh.blocks()[k]);

@@ -203,13 +203,14 @@ void Ghosts::look(const Mesh& mesh, const std::vector<BlockState>& states, int b
   }
 }
 
-void Ghosts::look_ahead(const std::vector<BlockState>& states, int block, const std::vector<char>& mine) {
+void Ghosts::look_ahead(const std::vector<BlockState>& states, int block, double dry_depth, const std::vector<char>& mine) {
   for (FromCoarser& c : plans_[block].coarser) {
     if (!mine.empty() && !mine[c.from.block]) continue;
     const BlockState& s = states[c.from.block];
     const int n = c.from.cell;
     c.look.change = {};
-    if (s.stepped) c.look.change = {s.now.h[n] - s.start.h[n], s.now.hu[n] - s.start.hu[n], s.now.hv[n] - s.start.hv[n]};
+    if (s.stepped && s.start.h[n] >= dry_depth)
+      c.look.change = {s.now.h[n] - s.start.h[n], s.now.hu[n] - s.start.hu[n], s.now.hv[n] - s.start.hv[n]};
   }
 }
 

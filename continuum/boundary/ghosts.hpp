@@ -32,8 +32,9 @@ class Ghosts {
   // What the coarser cells beside one block hold now and how they slope, for fill() from now on; their ghosts must be filled.
   // mine: only those of the blocks with a flag; empty: all.
   void look(const Mesh&, const std::vector<BlockState>&, int block, double dry_depth, const std::vector<char>& mine = {});
-  // By how much they change in their present step: from BlockState::start to now, where the block was stepped.
-  void look_ahead(const std::vector<BlockState>&, int block, const std::vector<char>& mine = {});
+  // By how much they change in their present step: from BlockState::start to now, where the block was stepped. What is dry at its
+  // start has nothing to give yet: the finer cells would draw on what may never come.
+  void look_ahead(const std::vector<BlockState>&, int block, double dry_depth, const std::vector<char>& mine = {});
   // State in the ghosts of one block, from the interiors of the others; share: of the coarser cells' step that has passed.
   void fill(std::vector<BlockState>&, int block, double share = 0) const;
   // Shares of the passive state, likewise; what flows in has that of the cells it meets.

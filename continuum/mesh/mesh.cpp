@@ -24,9 +24,10 @@ Mesh::Mesh(const Grid& grid, int edge, const ReferenceSurface& surface, const St
   require(grid.nx > 0 && grid.ny > 0, "The grid needs at least one cell in x and in y; enlarge the terrain or refine the cell.");
   require(grid.dx > 0 && grid.dy > 0, "The cells need a positive size; correct continuum.cell.");
   require(edge >= 2, "A block needs at least 2 cells along its edge; raise the block size.");
-  require(levels == 0 || (edge % 2 == 0 && edge >= 1 << levels && edge >= 4),
-          "Refined blocks need an even number of cells along their edge, at least 4 and 2 to the power of the levels; raise the "
-          "block size.");
+  // So that a cell of the coarsest grid never straddles two blocks.
+  require(levels == 0 || (edge % (1 << levels) == 0 && edge >= 4),
+          "The cells along the edge of refined blocks must be a multiple of 2 to the power of the levels, and at least 4; change "
+          "the block size.");
   require(bed.elevation.empty() || bed.elevation.size() == static_cast<std::size_t>(grid.nx) * grid.ny,
           "The bed elevation needs one value for each cell of the grid (or none); sample it on the solver's own grid.");
   require(bed.elevation.empty() || levels == 0 || bed.height,

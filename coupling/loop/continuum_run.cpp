@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "continuum/errors.hpp"
@@ -41,7 +42,9 @@ class ContinuumRun : public ModeRun {
     flow_->advance_to(w.time);
     cpu_continuum_ = flow_->cpu();
     flow_->report(w);
-    book_.close(w.momentum, flow_->momentum(), w.mass.continuum * w.max_speed);
+    // At rest: by what the weight would give in the window.
+    const double weights = scene_.gravity * w.length;
+    book_.close(w.momentum, flow_->momentum(), w.mass.continuum * std::max(w.max_speed, weights));
     for (int k = 0; k < int(scene_.obstacles.size()); ++k) {
       w.obstacles.push_back(flow_->force(k, w.length));
       w.overtopped += flow_->overtopped(k);

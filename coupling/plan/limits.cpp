@@ -103,7 +103,7 @@ void check_blocks(const Scene& scene, const Plan& plan) {
     const bool periodic = scene.sides[2 * axis].kind == SideSpec::Kind::periodic;
     if (!periodic || cells[axis] % edge == 0) continue;
     int good = edge;
-    while (good >= 4 && (cells[axis] % good != 0 || good % 2 != 0 || good < 1 << least)) --good;
+    while (good >= 4 && (cells[axis] % good != 0 || good % (1 << least) != 0)) --good;
     const std::string remedy = good >= 4 ? fmt::format("continuum.block: {} would do", good)
                                          : fmt::format("choose the cells so that there are {}", (cells[axis] / edge + 1) * edge);
     fail(scene,

@@ -107,10 +107,10 @@ struct Checker {
 
   void block() const {
     if (c.block == 0 || c.scheme == "noc") return;
-    const int least = std::max(4, 1 << levels());
-    if (c.block % 2 != 0 || c.block < least) {
-      fail("continuum.block", "is {}; with {} level{} of refinement it must be even and at least {}", c.block, levels(),
-           levels() == 1 ? "" : "s", least);
+    const int whole = std::max(2, 1 << levels());
+    if (c.block % whole != 0 || c.block < 4) {
+      fail("continuum.block", "is {}; with {} level{} of refinement it must be a multiple of {}", c.block, levels(),
+           levels() == 1 ? "" : "s", std::max(4, whole));
     }
   }
 

@@ -111,7 +111,7 @@ void add_continuum(Keys& k) {
   k.add(
       integer(
           "continuum.block",
-          "cells along the edge of a block of scheme central_upwind; with refinement even and at least 2^levels; none: 32, with "
+          "cells along the edge of a block of scheme central_upwind; with refinement a multiple of 2^levels; none: 32, with "
           "refinement 16 or what the levels need",
           at(&ContinuumSpec::block))
           .within(4, 256)

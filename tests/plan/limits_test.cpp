@@ -69,8 +69,8 @@ TEST(Limits, BlocksBetweenPeriodicSidesAreWhole) {
                     {"continuum.adapt.levels", "2"},
                     {"continuum.block", "20"}};
   const std::string why = refusal(changes);
-  EXPECT_TRUE(holds(why, "144 cells between periodic sides") && holds(why, "continuum.block: 18 would do")) << why;
-  changes.back().second = "18";
+  EXPECT_TRUE(holds(why, "144 cells between periodic sides") && holds(why, "continuum.block: 16 would do")) << why;
+  changes.back().second = "16";
   EXPECT_EQ(refusal(changes), "");
 }
 

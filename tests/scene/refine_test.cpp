@@ -153,8 +153,8 @@ TEST_F(Refine, BlocksFitTheLevels) {
   EXPECT_EQ(block_edge(read(with_refine("{around: wall, up: 1 mm, levels: 5}"))), 32);
   EXPECT_EQ(error(continuum_scene, {{"continuum.block", "7"}}), "") << "without refinement any will do";
   EXPECT_EQ(error(boxes, {{"continuum.block", "7"}}),
-            "--set continuum.block: continuum.block is 7; with 2 levels of refinement it must be even and at least 4");
-  EXPECT_THAT(error(boxes, {{"continuum.block", "4"}, {"continuum.refine[0].levels", "3"}}), HasSubstr("even and at least 8"));
+            "--set continuum.block: continuum.block is 7; with 2 levels of refinement it must be a multiple of 4");
+  EXPECT_THAT(error(boxes, {{"continuum.block", "4"}, {"continuum.refine[0].levels", "3"}}), HasSubstr("a multiple of 8"));
 }
 
 TEST_F(Refine, RefusesMoreCellsThanAMeshMayHave) {
