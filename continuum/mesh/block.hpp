@@ -42,7 +42,7 @@ struct Block {
   std::vector<double> bed;    // smooth elevation z_b [m]
   std::vector<double> top;    // height of the step obstacle that fills the cell [m], else 0
   std::vector<int> obstacle;  // its number, else -1
-  std::vector<int> pushed;    // interior: obstacle whose elevation this cell or a neighbour has, so that it pushes here; else -1
+  std::vector<int> pushed;    // interior: obstacle whose elevation is so near that it pushes here; else -1
   bool relief = false;        // some bed of the mesh != 0
 
   // By column, index i + ghosts.

@@ -12,6 +12,10 @@ void require(bool good, const char* sentence) {
   if (!good) throw std::invalid_argument(sentence);
 }
 
+// The slopes of surface and depth in a cell beside an elevation need not cancel: at its face to the next cell its bed seems to
+// rise.
+constexpr int reach_of_a_push[][2] = {{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-2, 0}, {2, 0}, {0, -2}, {0, 2}};
+
 int wrapped(int i, int n) {
   return ((i % n) + n) % n;
 }
@@ -198,15 +202,19 @@ int Mesh::pushed_by(const Block& b, int i, int j) const {
     const int ni = wrapped(i + di, b.grid.nx), nj = wrapped(j + dj, b.grid.ny);
     return levels_ > 0 ? bed_.owner_at(b.grid.x(ni), b.grid.y(nj)) : bed_.owner[static_cast<std::size_t>(nj) * grid_.nx + ni];
   };
-  for (const int found : {owner(0, 0), owner(-1, 0), owner(1, 0), owner(0, -1), owner(0, 1)}) {
+  for (const auto& [di, dj] : reach_of_a_push) {
+    const int found = owner(di, dj);
     if (found >= 0) return found;
   }
   if (levels_ == 0) return -1;
-  // A larger cell may have some of an elevation and its centre none; beside a change of level that is its parent.
-  const int l = std::max(b.level - 1, 0), up = b.level - l;
-  for (const auto& [di, dj] : {std::pair{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-    const int found = owner_in(l, wrapped(i + di, b.grid.nx) >> up, wrapped(j + dj, b.grid.ny) >> up);
-    if (found >= 0) return found;
+  // A larger cell may have some of an elevation and its centre none. Beside a change of level a cell's neighbour is such a one,
+  // and that one's bed may come from a still larger one's.
+  for (int l = b.level; l >= 0; --l) {
+    const int up = b.level - l;
+    for (const auto& [di, dj] : reach_of_a_push) {
+      const int found = owner_in(l, wrapped(i + di, b.grid.nx) >> up, wrapped(j + dj, b.grid.ny) >> up);
+      if (found >= 0) return found;
+    }
   }
   return -1;
 }
@@ -218,12 +226,11 @@ int Mesh::owner_in(int level, int i, int j) const {
     return o.x0 < x + g.dx && o.x1 > x - g.dx && o.y0 < y + g.dy && o.y1 > y - g.dy;
   };
   if (std::ranges::none_of(bed_.obstacles, reaches)) return -1;
+  const auto [known, unknown] = owners_.try_emplace({level, i, j}, -1);
   const int n = 1 << (levels_ - level);
-  for (int c = 0; c < n * n; ++c) {
-    const int found = bed_.owner_at(finest.x(i * n + c % n), finest.y(j * n + c / n));
-    if (found >= 0) return found;
-  }
-  return -1;
+  for (int c = 0; unknown && known->second < 0 && c < n * n; ++c)
+    known->second = bed_.owner_at(finest.x(i * n + c % n), finest.y(j * n + c / n));
+  return known->second;
 }
 
 }  // namespace couloir

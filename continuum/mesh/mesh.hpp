@@ -3,6 +3,7 @@
 // The mesh knows places and terrain; the solver owns the fields.
 
 #include <array>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -74,7 +75,8 @@ class Mesh {
   bool curvature_ = false;
   std::vector<Leaf> leaves_;
   std::vector<Block> blocks_;
-  std::vector<std::vector<int>> number_;  // of the block, by level and place; -1: none
+  std::vector<std::vector<int>> number_;              // of the block, by level and place; -1: none
+  mutable std::map<std::array<int, 3>, int> owners_;  // owner_in() by level, i, j, which is asked for again and again
 };
 
 }  // namespace couloir

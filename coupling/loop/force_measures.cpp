@@ -26,10 +26,10 @@ bool meet(const CellBox& a, const CellBox& b) {
   return !a.empty() && !b.empty() && a.i0 < b.i1 && b.i0 < a.i1 && a.j0 < b.j1 && b.j0 < a.j1;
 }
 
-// An obstacle pushes one cell beside its base, too.
+// An obstacle pushes up to two cells beside its base, too.
 bool alone(const Scene& scene, std::size_t n, const CellBox& box, const Grid& g) {
   for (std::size_t m = 0; m < scene.obstacles.size(); ++m) {
-    if (m != n && meet(box, cells_around(scene.obstacles[m], g, 1))) return false;
+    if (m != n && meet(box, cells_around(scene.obstacles[m], g, 2))) return false;
   }
   return true;
 }

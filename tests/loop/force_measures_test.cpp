@@ -130,7 +130,7 @@ TEST(ForceMeasures, AgreeInEveryWindow) {
     const bool noc = scheme == "noc";
     const Scene scene = small_scene(
         "continuum", {{"continuum.scheme", scheme},
-                      {"obstacles.wall.position", "[400 mm, -60 mm]"},
+                      {"obstacles.wall.position", "[400 mm, -70 mm]"},
                       {"obstacles.wall.method", noc ? "elevation" : "step"},
                       {"obstacles.wedge", "{shape: tetrahedron, position: [300 mm, 40 mm], size: [69.28 mm, 80 mm, 40 mm]}"},
                       {"boundaries", "{left: wall}"}});
@@ -152,6 +152,21 @@ TEST(ForceMeasures, AgreeInEveryWindow) {
     EXPECT_GT(watched.windows.back().overtopped, 0);
     std::printf("%s: greatest force on wall and wedge %.2f, %.2f N\n", scheme.c_str(), largest[0], largest[1]);
   }
+}
+
+// Where blocks of four sizes touch, and the surface is steep beside level ground.
+TEST(ForceMeasures, AgreeInEveryWindowOverFourLevels) {
+  const Scene scene =
+      read_scene(COULOIR_SOURCE_DIR "/tests/scenes/wedge_over_levels.yaml", COULOIR_SOURCE_DIR "/dem_inputs/materials", {});
+  const Measured watched = run(scene);
+  ASSERT_TRUE(watched.has("wedge", "control_volume"));
+  double largest = 0;
+  for (const WindowReport& w : watched.windows) {
+    for (int k : {0, 1}) ASSERT_NEAR(w.measures[0][k], w.obstacles[0].force[k], 1e-9) << "at " << w.time;
+    largest = std::max(largest, w.obstacles[0].force[0]);
+  }
+  EXPECT_GT(largest, 1);
+  EXPECT_EQ(watched.windows.back().levels.size(), 5u);
 }
 
 // On the wedge's faces, once cells resolve the thin flow on them, the dissertation's sum is the bed's push.
