@@ -28,6 +28,11 @@
 namespace couloir {
 namespace {
 
+struct Begun : Observer {
+  bool yes = false;
+  void on_window(const WindowReport&) override { yes = true; }
+};
+
 struct RunVerb {
   SceneOptions scene;
   std::string out;
@@ -95,19 +100,23 @@ int run(const RunVerb& verb) {
   screen.quiet = verb.json;
   RunEnd end;
   Summary summary(folder.file("summary.json"));
+  Begun begun;
   try {
     Records records(folder.file("records.h5"), text);
     Xdmf xdmf(folder.path().string());
     ForcesCsv forces(folder.file("forces.csv"));
     Console console(folder.file("log.txt"), screen);
     // Records flush a frame before Xdmf names it; the summary is last, so that its being there means that all else is.
-    end = run_scene(scene, options, {&records, &xdmf, &forces, &console, &summary});
+    end = run_scene(scene, options, {&begun, &records, &xdmf, &forces, &console, &summary});
   } catch (...) {
     if (std::filesystem::exists(folder.file("summary.json")))
       fmt::print(stderr, "couloir: what was computed is in {}; the last state that could be saved is in {}\n",
                  folder.path().string(), work);
     else
-      fmt::print(stderr, "couloir: nothing was computed yet; the log is in {}\n", folder.path().string());
+      fmt::print(
+          stderr, "couloir: {} {}\n",
+          begun.yes ? "there is no summary; what was recorded until then is in" : "nothing was computed yet; the log is in",
+          folder.path().string());
     throw;
   }  // all files are closed before the report reads them
   if (end.status == "interrupted")

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <ctime>
+#include <exception>
 
 #include "continuum/errors.hpp"
 #include "coupling/loop/mode_run.hpp"
@@ -49,7 +50,16 @@ void ModeRun::end(RunEnd& end, double wall_start, double cpu_start) {
   const double cpu = cpu_now() - cpu_start;
   end.cpu_coupling = (together ? options_.ranks.total(cpu) : cpu) - cpu_continuum_;
   end.cpu = cpu_continuum_ + cpu_engine_ + end.cpu_coupling;
-  for (Observer* o : observers_) o->on_finish(end);
+  // One that cannot write any more must not keep the others from it.
+  std::exception_ptr failed;
+  for (Observer* o : observers_) {
+    try {
+      o->on_finish(end);
+    } catch (...) {
+      if (!failed) failed = std::current_exception();
+    }
+  }
+  if (failed) std::rethrow_exception(failed);
 }
 
 RunEnd ModeRun::go() {
@@ -95,11 +105,14 @@ RunEnd ModeRun::go() {
       result.status = "failed";
       const std::string what = error.what();
       result.reason = what.substr(0, what.find('\n'));  // the log's tail that may follow is in the run's folder
+      // The first error is the one to tell; what follows from it (a full disk, say) adds nothing.
       try {
         save();
+      } catch (const std::exception&) {
+      }
+      try {
         end(result, wall_start, cpu_start);
       } catch (const std::exception&) {
-        // The first error is the one to tell; what follows from it (a full disk, say) adds nothing.
       }
     }
     throw;
