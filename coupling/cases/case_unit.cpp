@@ -27,8 +27,9 @@ constexpr std::array own_units{
     Own{"%", "a plain number", 1, 100}, Own{"1", "a plain number", 1, 1},
 };
 
-constexpr std::array dimensions{Dimension::length,  Dimension::time,     Dimension::velocity, Dimension::mass,
-                                Dimension::density, Dimension::pressure, Dimension::angle,    Dimension::acceleration};
+constexpr std::array dimensions{Dimension::time_per_velocity, Dimension::length, Dimension::time,
+                                Dimension::velocity,          Dimension::mass,   Dimension::density,
+                                Dimension::pressure,          Dimension::angle,  Dimension::acceleration};
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);

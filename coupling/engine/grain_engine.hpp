@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "coupling/engine/contact_law.hpp"
+#include "coupling/engine/rotation.hpp"
 
 namespace couloir {
 
@@ -68,6 +69,8 @@ struct EngineSetup {
   double youngs_modulus = 5e6, poisson_ratio = 0.25;
   ContactLaw contact = ContactLaw::hertz;  // hertz: Hertz-Mindlin with rolling friction, of the numbers above ...
   LinearContact linear;                    // ... kelvin_voigt: of these and of the Coulomb frictions, without rolling friction
+  Rotation rotation = Rotation::free;
+  RotationControl control;  // of Rotation::control
   std::vector<EngineSurface> surfaces;
   std::vector<DriveFace> faces;
   int ranks = 1;
@@ -80,6 +83,7 @@ struct NewGrain {
   Vec position{}, velocity{};
   double radius = 0;
   int face = -1, segment = -1;  // >= 0: driven by that segment's raft
+  Vec spin{};                   // [rad/s] none where it is driven
 };
 
 // One raft: the driven grains of one segment, moving as a rigid body:

@@ -101,6 +101,8 @@ EngineSetup packing_setup(const PackingSpec& s, double top, const std::string& w
   e.timestep = stable_timestep(s.contact, grain);
   e.contact = s.contact;
   e.linear = linear_contact(grain, s.restitution);
+  e.rotation = s.rotation;
+  e.control = s.control;
   e.gravity = {0, 0, -gravity};
   e.lo = {0, 0, -2 * s.diameter};
   e.hi = {s.length, s.width, top + 4 * s.diameter};

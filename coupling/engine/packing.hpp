@@ -17,6 +17,8 @@ struct PackingSpec {
   double restitution = 0.5, youngs_modulus = 5e6, poisson_ratio = 0.25;
   double density = 2500;  // [kg/m3] of a grain
   ContactLaw contact = ContactLaw::hertz;
+  Rotation rotation = Rotation::free;
+  RotationControl control;  // of Rotation::control
 };
 
 struct Packing {

@@ -17,12 +17,19 @@ constexpr const char* columns = "# x y z r [m]";
 }  // namespace
 
 std::string describe(const PackingSpec& s) {
-  return fmt::format(
+  std::string text = fmt::format(
       "diameter {:.17g} spread {:.17g} length {:.17g} width {:.17g} depth {:.17g} seed {} friction {:.17g} base_friction {:.17g} "
       "rolling_friction {:.17g} base_rolling_friction {:.17g} restitution {:.17g} youngs_modulus {:.17g} poisson_ratio {:.17g} "
       "density {:.17g} contact {}",
       s.diameter, s.spread, s.length, s.width, s.depth, s.seed, s.friction, s.base_friction, s.rolling_friction,
       s.base_rolling_friction, s.restitution, s.youngs_modulus, s.poisson_ratio, s.density, to_string(s.contact));
+  if (s.rotation != Rotation::free) text += fmt::format(" rotation {}", to_string(s.rotation));
+  if (s.rotation == Rotation::control) {
+    const RotationControl& c = s.control;
+    text += fmt::format(" retarding_time {:.17g} contact_influence {:.17g} shear_influence {:.17g} thresholds {:.17g} {:.17g}",
+                        c.retarding_time, c.contact_influence, c.shear_influence, c.slide_to_roll, c.roll_to_slide);
+  }
+  return text;
 }
 
 std::string packing_file(const PackingSpec& spec, const std::string& cache) {

@@ -35,13 +35,18 @@ void fields(A& a, LinearContact& s) {
   a(s.stiffness, s.shear_stiffness, s.damping, s.shear_damping, s.surface_damping, s.surface_shear_damping);
 }
 template <class A>
+void fields(A& a, RotationControl& s) {
+  a(s.retarding_time, s.contact_influence, s.shear_influence, s.slide_to_roll, s.roll_to_slide);
+}
+template <class A>
 void fields(A& a, EngineSetup& s) {
   a(s.timestep, s.gravity, s.lo, s.hi, s.periodic, s.density, s.max_radius, s.skin, s.friction, s.rolling_friction, s.restitution,
-    s.youngs_modulus, s.poisson_ratio, s.contact, s.linear, s.surfaces, s.faces, s.ranks, s.timeout, s.work_dir);
+    s.youngs_modulus, s.poisson_ratio, s.contact, s.linear, s.rotation, s.control, s.surfaces, s.faces, s.ranks, s.timeout,
+    s.work_dir);
 }
 template <class A>
 void fields(A& a, NewGrain& s) {
-  a(s.id, s.position, s.velocity, s.radius, s.face, s.segment);
+  a(s.id, s.position, s.velocity, s.radius, s.face, s.segment, s.spin);
 }
 template <class A>
 void fields(A& a, SegmentDrive& s) {

@@ -25,6 +25,11 @@ double throw_height(const Scene& s, const ReferenceSurface& surface, double x) {
   return drop + start;
 }
 
+RotationControl rotation_control(const Scene& s) {
+  const RotationSpec& c = s.grains.control;
+  return {c.retarding_time, c.contact_influence, c.shear_influence, c.slide_to_roll, c.roll_to_slide};
+}
+
 EngineSetup material_setup(const Scene& s, const ReferenceSurface& surface, double density, const std::string& work_dir) {
   EngineSetup setup;
   const GrainMaterial& m = s.material.grain;
@@ -39,6 +44,8 @@ EngineSetup material_setup(const Scene& s, const ReferenceSurface& surface, doub
   setup.youngs_modulus = m.youngs_modulus;
   setup.poisson_ratio = m.poisson_ratio;
   setup.contact = contact_law(s.grains.contact);
+  setup.rotation = rotation(s.grains.rotation);
+  setup.control = rotation_control(s);
   setup.linear = linear_contact(grain_stiffness(s, density), m.restitution);
   setup.ranks = s.grains.ranks;
   setup.timeout = s.grains.timeout;
@@ -119,6 +126,8 @@ PackingSpec packing_spec(const Scene& s, double depth) {
   spec.poisson_ratio = m.poisson_ratio;
   spec.density = expected_grain_density(s);
   spec.contact = contact_law(s.grains.contact);
+  spec.rotation = rotation(s.grains.rotation);
+  spec.control = rotation_control(s);
   return spec;
 }
 

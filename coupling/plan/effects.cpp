@@ -197,9 +197,28 @@ struct Listing {
     if (!grains) return {"rolling_friction", false, mode + ": no grains"};
     if (s.grains.contact != "hertz")
       return {"rolling_friction", false, "grains.contact is " + s.grains.contact + ", which has none"};
+    if (s.grains.rotation == "blocked") return {"rolling_friction", false, "grains.rotation is blocked: none rolls"};
     const bool on = g.rolling_friction > 0 || g.base_rolling_friction > 0;
     return {"rolling_friction", on,
             fmt::format("{:g} between grains, {:g} on surfaces", g.rolling_friction, g.base_rolling_friction)};
+  }
+
+  Effect rotation_control() const {
+    if (!grains) return {"rotation_control", false, mode + ": no grains"};
+    if (s.grains.rotation == "free") return {"rotation_control", false, "grains.rotation is free: contacts alone turn a grain"};
+    if (s.grains.rotation == "blocked") return {"rotation_control", true, "grains.rotation is blocked: no grain turns"};
+    const RotationSpec& c = s.grains.control;
+    std::string how = fmt::format("(4.11), (4.12) with lambda_c {} and chi {:g}",
+                                  short_quantity(c.retarding_time, Dimension::time), c.contact_influence);
+    if (c.shear_influence > 0)
+      how +=
+          fmt::format("; longer in shear, (4.13) with k_v {}", short_quantity(c.shear_influence, Dimension::time_per_velocity));
+    if (c.slide_to_roll > 0) {
+      how +=
+          fmt::format("; a grain without spin slides below {}, one with spin comes to slide below {}",
+                      short_quantity(c.slide_to_roll, Dimension::velocity), short_quantity(c.roll_to_slide, Dimension::velocity));
+    }
+    return {"rotation_control", true, "grains.rotation has control: " + how};
   }
 
   Effect side_friction() const {
@@ -260,6 +279,7 @@ std::vector<Effect> effects_of(const Scene& scene) {
           list.periodic(),
           list.grain_engine(),
           list.rolling_friction(),
+          list.rotation_control(),
           list.side_friction(),
           list.coupling(),
           list.airborne()};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/scene/check_engine.hpp"
 #include "coupling/scene/check_mesh.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/release_shape.hpp"
@@ -292,11 +293,6 @@ struct Checker {
       fail("grains.diameter", "is {}, too large for a domain {} wide; use smaller grains", len(d), len(width()));
   }
 
-  void engine() const {
-    if (!grains() || scene.grains.engine != "yade" || scene.grains.ranks == 1) return;
-    fail("grains.ranks", "is {}, but yade runs on one rank; leave it out, or use grains.engine: liggghts", scene.grains.ranks);
-  }
-
   void zone() const {
     if (scene.mode != Mode::coupled) return;
     if (!scene.grains.zone) {
@@ -391,7 +387,7 @@ void check_scene(const Scene& scene) {
   check_refinement(scene);
   check.gauges();
   check.diameter();
-  check.engine();
+  check_engine(scene);
   check.zone();
   check.zone_holds_some_obstacle();
   check.records();

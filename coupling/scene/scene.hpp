@@ -135,9 +135,20 @@ struct ZoneBox {
   }
 };
 
+// Rotation control, (4.11)-(4.13); coupling/engine/rotation.hpp tells what they do.
+struct RotationSpec {
+  double retarding_time = 0;     // [s] lambda_c
+  double contact_influence = 1;  // [-] chi
+  double shear_influence = 0;    // [s2/m] k_v
+  double slide_to_roll = 0;      // [m/s] v_sr
+  double roll_to_slide = 0;      // [m/s] v_rs
+};
+
 struct GrainSpec {
   std::string engine = "liggghts";  // | yade
   std::string contact = "hertz";    // | kelvin_voigt
+  std::string rotation = "free";    // | blocked | control
+  RotationSpec control;             // of rotation: control
   int ranks = 1;
   double diameter = 0;          // [m]
   double spread = 0.1;          // radii are uniform within +-spread of the mean

@@ -64,28 +64,6 @@ void add_terrain(Keys& k) {
       number("terrain.width", length, "across; y runs from -width/2 to width/2", COULOIR_AT(terrain.width)).above(0).required());
 }
 
-// A material's grain parameters; `prefix` is where they are written, there or as overrides in the scene's grains.
-void add_grain_material(Keys& k, const std::string& prefix, Presence presence) {
-  const auto add = [&](const char* name, Dimension dimension, const char* help, Bounds bounds, auto member) {
-    const auto at = [member](auto& s, int) -> auto& {
-      return s.material.grain.*member;
-    };
-    KeyBuilder key = number(prefix + name, dimension, help, at).bounded(bounds).with(presence);
-    k.add(presence == Presence::optional ? key.unwritten() : key);
-  };
-  using G = GrainMaterial;
-  add("friction", none, "Coulomb friction between grains", {0, 5}, &G::friction);
-  add("base_friction", none, "Coulomb friction of a grain on the bed", {0, 5}, &G::base_friction);
-  add("wall_friction", none, "Coulomb friction of a grain on an obstacle", {0, 5}, &G::wall_friction);
-  add("side_friction", none, "Coulomb friction of a grain on a side wall", {0, 5}, &G::side_friction);
-  add("rolling_friction", none, "rolling friction between grains", {0, 5}, &G::rolling_friction);
-  add("base_rolling_friction", none, "rolling friction of a grain on bed, obstacles and sides", {0, 5},
-      &G::base_rolling_friction);
-  add("restitution", none, "coefficient of restitution", {0.05, 1}, &G::restitution);
-  add("youngs_modulus", pressure, "stiffness of a grain; LIGGGHTS takes no less than 5 MPa", {5e6, 1e12}, &G::youngs_modulus);
-  add("poisson_ratio", none, "Poisson's ratio of a grain", {0, 0.49}, &G::poisson_ratio);
-}
-
 void add_material(Keys& k) {
   k.add(mapping("material", "a name in dem_inputs/materials, or the same keys inline").required());
   k.add(text("material.name", "for reports", COULOIR_AT(material.name)));
@@ -256,43 +234,6 @@ void add_boundaries(Keys& k) {
     k.add(inflow);
     add_inflow(k, path + ".inflow", side);
   }
-}
-
-void add_grains(Keys& k) {
-  k.add(mapping("grains", "the discrete-element engine; needed in the modes coupled and grains"));
-  k.add(word("grains.engine", "which engine; yade runs on one rank", {"liggghts", "yade"}, COULOIR_AT(grains.engine)));
-  k.add(word("grains.contact",
-             "how grains push: hertz, Hertz-Mindlin with rolling friction; kelvin_voigt, the dissertation's spring and damper "
-             "(section 4.3) with Coulomb friction and without tension or rolling friction, its stiffness E d / (20 (1 - nu^2))",
-             {"hertz", "kelvin_voigt"}, COULOIR_AT(grains.contact)));
-  k.add(integer("grains.ranks", "MPI ranks of the engine", COULOIR_AT(grains.ranks)).within(1, 1024));
-  k.add(number("grains.diameter", length, "mean diameter of a simulated grain", COULOIR_AT(grains.diameter)).above(0).optional());
-  k.add(number("grains.spread", none, "radii are uniform within +-spread of the mean", COULOIR_AT(grains.spread)).within(0, 0.5));
-
-  Key zone = mapping("grains.zone", "where grains replace the continuum: auto (around the obstacles) or a box").build();
-  zone.choices = {"auto"};
-  zone.get = [](const Scene& s, int) -> Value { return s.grains.zone ? "" : "auto"; };
-  zone.set = [](Scene& s, int, const Value&) { s.grains.zone.reset(); };
-  zone.enter = [](Scene& s, int) { s.grains.zone.emplace(); };
-  k.add(zone);
-  k.add(numbers("grains.zone.x", length, "[from, to] along the slope", [](auto& s, int) {
-          return std::tie(s.grains.zone->x0, s.grains.zone->x1);
-        }).required());
-  k.add(numbers("grains.zone.y", length, "[from, to] across the slope", [](auto& s, int) {
-          return std::tie(s.grains.zone->y0, s.grains.zone->y1);
-        }).required());
-
-  k.add(integer("grains.window", "engine steps in a coupling window", COULOIR_AT(grains.window)).within(1, 100000));
-  k.add(number("grains.timestep", time,
-               "of the engine; 0: a fixed share of the Rayleigh time (hertz) or of the contact time (kelvin_voigt)",
-               COULOIR_AT(grains.timestep))
-            .within(0, 1));
-  k.add(integer("grains.seed", "of the packing and the radii", COULOIR_AT(grains.seed)).within(1, 2147483647));
-  k.add(number("grains.timeout", time, "without an answer before the engine counts as dead; of the clock, never scaled",
-               COULOIR_AT(grains.timeout))
-            .within(1, 86400)
-            .unscaled());
-  add_grain_material(k, "grains.", Presence::optional);
 }
 
 void add_record(Keys& k) {

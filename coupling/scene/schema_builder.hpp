@@ -172,6 +172,8 @@ KeyBuilder choice(const std::string& path, const std::string& help, const std::v
   return builder;
 }
 
-void add_continuum(Keys&);  // schema_continuum.cpp
+void add_continuum(Keys&);                                            // schema_continuum.cpp
+void add_grains(Keys&);                                               // schema_grains.cpp
+void add_grain_material(Keys&, const std::string& prefix, Presence);  // schema_grains.cpp
 
 }  // namespace couloir::schema_builder

@@ -34,6 +34,8 @@ constexpr std::array units{
     Unit{"km/h", Dimension::velocity, 1, 3.6},
     Unit{"m/s2", Dimension::acceleration, 1, 1},
     Unit{"m/s^2", Dimension::acceleration, 1, 1},
+    Unit{"s2/m", Dimension::time_per_velocity, 1, 1},
+    Unit{"s^2/m", Dimension::time_per_velocity, 1, 1},
     Unit{"kg", Dimension::mass, 1, 1},
     Unit{"g", Dimension::mass, 1, 1e3},
     Unit{"t", Dimension::mass, 1e3, 1},
@@ -73,6 +75,8 @@ const char* describe(Dimension dimension) {
       return "a velocity";
     case Dimension::acceleration:
       return "an acceleration";
+    case Dimension::time_per_velocity:
+      return "a time per velocity";
     case Dimension::mass:
       return "a mass";
     case Dimension::density:
@@ -107,6 +111,8 @@ double Scales::of(Dimension dimension) const {
       return std::sqrt(length / gravity);
     case Dimension::velocity:
       return std::sqrt(length * gravity);
+    case Dimension::time_per_velocity:
+      return 1 / gravity;
     case Dimension::mass:
       return density * length * length * length;
     case Dimension::pressure:

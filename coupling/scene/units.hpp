@@ -8,7 +8,7 @@
 
 namespace couloir {
 
-enum class Dimension { none, length, time, velocity, acceleration, mass, density, pressure, angle };
+enum class Dimension { none, length, time, velocity, acceleration, time_per_velocity, mass, density, pressure, angle };
 
 // "a length", "a number"; for messages.
 const char* describe(Dimension);
@@ -17,8 +17,9 @@ std::vector<std::string> units_of(Dimension);
 // "m"; empty for Dimension::none.
 std::string si_unit(Dimension);
 
-// What a bare number is a multiple of, by (2.47): length L, time sqrt(L/g), velocity sqrt(L g), mass rho L^3, pressure rho g L.
-// length = 0: no scales, bare numbers are SI. Accelerations and densities are SI in either case: they define the scales.
+// What a bare number is a multiple of, by (2.47): length L, time sqrt(L/g), velocity sqrt(L g), their ratio 1/g, mass rho L^3,
+// pressure rho g L. length = 0: no scales, bare numbers are SI. Accelerations and densities are SI in either case: they define
+// the scales.
 struct Scales {
   double length = 0;   // [m]
   double gravity = 0;  // [m/s2]

@@ -88,7 +88,7 @@ void FixExchange::insert() {
     atom->rmass[i] = 4.0 / 3.0 * std::numbers::pi * grain.radius * grain.radius * grain.radius * order_.density;
     for (int k = 0; k < 3; ++k) {
       atom->v[i][k] = v[k];
-      atom->omega[i][k] = 0;
+      atom->omega[i][k] = raft == FixDrive::free_grain ? grain.spin[k] : 0;
     }
     for (int j = 0; j < modify->nfix; ++j) {
       if (!modify->fix[j]->create_attribute) continue;

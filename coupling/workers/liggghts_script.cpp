@@ -117,6 +117,7 @@ std::vector<std::string> liggghts_script(const EngineSetup& s, const std::string
     script.push_back(
         fmt::format("fix walls all wall/gran {} mesh n_meshes {} meshes{}{}", model, s.surfaces.size(), meshes, settings));
   script.push_back("fix probe all couloir/probe read");
+  if (s.rotation != Rotation::free) script.push_back("fix rotation all couloir/rotation");
   script.push_back("fix integrate all nve/sphere");
   script.push_back(fmt::format("fix exchange all couloir/exchange {:.17g}", s.max_radius));
   script.push_back("fix drive all couloir/drive");

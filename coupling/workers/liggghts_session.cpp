@@ -9,6 +9,7 @@
 
 #include "coupling/workers/engine_errors.hpp"
 #include "coupling/workers/fix_heartbeat.hpp"
+#include "coupling/workers/fix_rotation.hpp"
 #include "coupling/workers/liggghts_script.hpp"
 #include "coupling/workers/register_fix.hpp"
 
@@ -60,6 +61,7 @@ Session::Session(const EngineSetup& setup, const std::string& checkpoint, MPI_Co
   register_fix<FixDrive>(engine_, "couloir/drive");
   register_fix<FixForceProbe>(engine_, "couloir/probe");
   register_fix<FixHeartbeat>(engine_, "couloir/heartbeat");
+  register_fix<FixRotation>(engine_, "couloir/rotation");
   SideFile side;
   if (!checkpoint.empty()) side = SideFile::read(checkpoint + ".drive", setup.faces);
   for (const std::string& line : liggghts_script(setup, side.grains > 0 ? checkpoint : "", side.step)) command(line);
@@ -70,6 +72,12 @@ Session::Session(const EngineSetup& setup, const std::string& checkpoint, MPI_Co
   for (std::size_t k = 0; k < setup.surfaces.size(); ++k) counts.push_back(mesh_force(engine_, fmt::format("mesh_{}", k)));
   probe_->set_meshes(counts);
   find_fix<FixForceProbe>(engine_, "probe_before")->set_meshes(counts);
+  if (setup.rotation != Rotation::free) {
+    std::vector<LAMMPS_NS::FixMeshSurface*> surfaces;
+    for (std::size_t k = 0; k < setup.surfaces.size(); ++k)
+      surfaces.push_back(find_fix<LAMMPS_NS::FixMeshSurface>(engine_, fmt::format("mesh_{}", k)));
+    find_fix<FixRotation>(engine_, "rotation")->set(setup, std::move(surfaces));
+  }
   find_fix<FixHeartbeat>(engine_, "heartbeat")->beat = std::move(beat);
   drive_->set_faces(setup.faces, setup.max_radius);
   if (!checkpoint.empty()) take(side);
@@ -131,8 +139,8 @@ void Session::check(const AdvanceRequest& request) const {
   for (const NewGrain& g : request.insert) {
     if (g.id <= 0 || g.id > std::numeric_limits<int>::max())
       refuse(fmt::format("a grain's id must be in 1..2147483647, not {}", g.id));
-    if (!finite(g.position) || !finite(g.velocity))
-      refuse(fmt::format("the new grain {} has no finite position or velocity", g.id));
+    if (!finite(g.position) || !finite(g.velocity) || !finite(g.spin))
+      refuse(fmt::format("the new grain {} has no finite position, velocity or spin", g.id));
     if (!(g.radius > 0) || g.radius > setup_.max_radius) {
       refuse(
           fmt::format("the new grain {} has radius {:g} m; allowed are radii up to {:g} m", g.id, g.radius, setup_.max_radius));

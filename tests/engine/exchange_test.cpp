@@ -118,7 +118,7 @@ TEST_P(Exchange, RefusesWhatCannotBe) {
                 r.insert = lattice(1, 1, 50);
                 r.insert[0].velocity[1] = std::nan("");
               }),
-              HasSubstr("no finite position or velocity"));
+              HasSubstr("no finite position, velocity or spin"));
 }
 
 TEST_P(Exchange, NamesGrainsThatLeftTheBox) {

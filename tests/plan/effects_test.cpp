@@ -80,6 +80,22 @@ TEST(Effects, OfTheLinearContactLaw) {
   const Scene s = experiment("chiou_wall", {{"grains.contact", "kelvin_voigt"}, {"grains.engine", "yade"}});
   expect(s, "grain_engine", true, "mode is coupled: yade, contact kelvin_voigt, grains of 4 mm, 1 rank");
   expect(s, "rolling_friction", false, "grains.contact is kelvin_voigt, which has none");
+  expect(s, "rotation_control", false, "grains.rotation is free: contacts alone turn a grain");
+  const Scene blocked = experiment("chiou_wall", {{"grains.rotation", "blocked"}});
+  expect(blocked, "rolling_friction", false, "grains.rotation is blocked: none rolls");
+  expect(blocked, "rotation_control", true, "grains.rotation is blocked: no grain turns");
+  const std::string control = "grains.rotation.control.";
+  const Scene slowed = experiment("chiou_wall", {{control + "retarding_time", "5 ms"}, {control + "contact_influence", "2"}});
+  expect(slowed, "rotation_control", true, "grains.rotation has control: (4.11), (4.12) with lambda_c 5 ms and chi 2");
+  const Scene all = experiment("chiou_wall", {{control + "retarding_time", "5 ms"},
+                                              {control + "shear_influence", "0.01 s2/m"},
+                                              {control + "slide_to_roll", "0.1 m/s"},
+                                              {control + "roll_to_slide", "0.02 m/s"}});
+  expect(
+      all, "rotation_control", true,
+      "grains.rotation has control: (4.11), (4.12) with lambda_c 5 ms and chi 1; longer in shear, (4.13) with k_v 0.01 s2/m; a "
+      "grain without spin slides below 0.1 m/s, one with spin comes to slide below 0.02 m/s");
+  expect(experiment("chiou_wall", {{"mode", "continuum"}}), "rotation_control", false, "mode is continuum: no grains");
 }
 
 TEST(Effects, SwitchedOff) {

@@ -43,6 +43,34 @@ TEST_F(Check, YadeRunsOnOneRank) {
   EXPECT_THAT(error(good_scene, {{"grains.contact", "hooke"}}), testing::HasSubstr("hertz, kelvin_voigt"));
 }
 
+TEST_F(Check, RotationControlAgreesWithItself) {
+  const std::string control = "grains.rotation.control.";
+  const Overrides given = {{control + "retarding_time", "5 ms"}};
+  const auto with = [&](Overrides more) {
+    more.insert(more.begin(), given.begin(), given.end());
+    return error(good_scene, more);
+  };
+  EXPECT_EQ(with({}), "");
+  EXPECT_EQ(with({{control + "slide_to_roll", "0.2 m/s"}, {control + "roll_to_slide", "0.05 m/s"}}), "");
+  EXPECT_EQ(
+      with({{control + "slide_to_roll", "0.2 m/s"}, {control + "roll_to_slide", "0.3 m/s"}}),
+      "--set grains.rotation.control.roll_to_slide: grains.rotation.control.roll_to_slide is 0.3 m/s, above slide_to_roll, 0.2 "
+      "m/s: a grain would stop its spin and start it again at once; lower it, or raise slide_to_roll");
+  EXPECT_EQ(with({{control + "roll_to_slide", "0.3 m/s"}, {"mode", "continuum"}}), "");
+  EXPECT_EQ(error(good_scene, {{"grains.rotation", "blocked"}}), "");
+  EXPECT_EQ(error(good_scene, {{"grains.rotation", "control"}}),
+            "--set grains.rotation: grains.rotation is 'control', but must be one of free, blocked, or a mapping with control");
+  EXPECT_EQ(error(good_scene, {{"grains.rotation", "{}"}}),
+            "--set grains.rotation: grains.rotation.control is missing: the law's parameters; the dissertation gives no values; "
+            "give a mapping with retarding_time, contact_influence, shear_influence, slide_to_roll, roll_to_slide");
+  EXPECT_THAT(error(good_scene, {{"grains.rotation", "{control: {contact_influence: 1}}"}}),
+              testing::HasSubstr("grains.rotation.control.retarding_time is missing"));
+  EXPECT_THAT(error(good_scene, {{control + "retarding_time", "0 s"}}), testing::HasSubstr("it must be above 0 s"));
+  EXPECT_THAT(with({{control + "shear_influence", "2 s"}}), testing::HasSubstr("write one of s2/m, s^2/m"));
+  EXPECT_THAT(with({{control + "retarding", "2 s"}}),
+              testing::HasSubstr("grains.rotation.control.retarding is unknown; grains.rotation.control takes retarding_time"));
+}
+
 TEST_F(Check, ObstacleInTheDomain) {
   EXPECT_EQ(error(replaced(good_scene, "[1.2 m, 0]", "[1.99 m, 0]")),
             "scene.yaml:6: obstacles.wall covers x from 1.99 m to 2.01 m and y from -50 mm to 50 mm, which reaches out of the "

@@ -70,6 +70,8 @@ TEST_F(SceneScales, EveryBareQuantityIsScaled) {
   compare({{"release", "{kind: block, position: [0.1, 0.01], length: 0.3, width: 0.2, height: 0.1}"}});
   compare({{"continuum.refine", "[{x: [0.5, 0.75], y: [-0.1, 0.2]}]"}});
   compare({{"obstacles.wall.method", "elevation"}, {"obstacles.wall.ramp", "0.02"}});
+  compare(
+      {{"grains.rotation", "{control: {retarding_time: 0.005, shear_influence: 0.01, slide_to_roll: 0.2, roll_to_slide: 0.1}}"}});
   for (const char* side : {"upstream", "downstream", "left", "right"}) {
     const std::string inflow = std::string("boundaries.") + side + ".inflow";
     compare({{inflow, "{depth: 0.04, velocity: 0.5}"}});

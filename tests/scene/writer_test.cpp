@@ -23,6 +23,8 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
       replaced(good_scene, "left: wall, right: wall", "upstream: {inflow: {kind: silo, gate: 18 mm}}"),
       good_scene + "record: {gauges: {one: {position: [1 m, 0.1]}, two: {position: [0.1, 0.1 m]}}}\n",
       replaced(good_scene, "mode: coupled", "mode: continuum"),
+      replaced(good_scene, "  diameter", "  rotation: blocked\n  diameter"),
+      replaced(good_scene, "  diameter", "  rotation: {control: {retarding_time: 5 ms, slide_to_roll: 0.1}}\n  diameter"),
   };
   for (const std::string& text : cases) {
     const Scene first = read(text);
@@ -51,6 +53,9 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
     EXPECT_EQ(second.continuum.curvature, first.continuum.curvature);
     EXPECT_EQ(second.grains.zone.has_value(), first.grains.zone.has_value());
     EXPECT_EQ(second.grains.timestep, first.grains.timestep);
+    EXPECT_EQ(second.grains.rotation, first.grains.rotation);
+    EXPECT_EQ(second.grains.control.retarding_time, first.grains.control.retarding_time);
+    EXPECT_EQ(second.grains.control.slide_to_roll, first.grains.control.slide_to_roll);
     EXPECT_EQ(second.duration, first.duration);
   }
 }

@@ -17,8 +17,9 @@ from yade.wrapper import ForceRecorder, TranslationEngine
 
 from .book import POSITION, states_of
 from .messages import Drive as SegmentDrive
+from .rotation import first_blocked
 
-FIXED, FREE = "xyzXYZ", ""
+FIXED = "xyzXYZ"
 STRIP_SLACK = 0.02  # [diameters] that a grain may go between two looks at who is in a strip
 
 
@@ -62,6 +63,7 @@ class Drive:
         self._slack = STRIP_SLACK * 2 * setup.max_radius
         self._wrap = wrap
         self.faces = setup.faces
+        self._free = first_blocked(setup.rotation, setup.control, (0, 0, 0))  # what of a grain that is let go stays blocked
         self.rafts = [Raft(face) for face in setup.faces for _ in range(face.segments)]
         self.first_raft = np.cumsum([0] + [face.segments for face in setup.faces])
         self.held = {}  # by id: the grains in strips
@@ -180,7 +182,7 @@ class Drive:
             m = raft.members.pop()
             aside = raft.drive.along * raft.along
             m.state.vel = raft.velocity * raft.inward + aside
-            m.state.blockedDOFs = FREE
+            m.state.blockedDOFs = self._free
             self._jump = self._jump + m.mass * aside
         raft.settle_members()
 
@@ -200,7 +202,7 @@ class Drive:
         for row in np.flatnonzero((raft_of >= 0) | np.array([m.id in self.held for m in self._near])):
             m = self._near[row]
             if raft_of[row] < 0:
-                m.state.blockedDOFs = FREE
+                m.state.blockedDOFs = self._free
                 del self.held[m.id]
                 changed = True
                 continue

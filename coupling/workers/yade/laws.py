@@ -47,14 +47,17 @@ def interaction_loop(setup, ids):
     common = {"en": setup.restitution, "es": setup.restitution, "frictAngle": friction}
     # Two radii of a pair of equal grains have the mean r and R* = r / 2.
     grains = Ip2_PartialSatMat_PartialSatMat_MindlinPhys(
-        eta=setup.rolling_friction / 2, krot=rolling_stiffness(setup, 0.5 * setup.max_radius), **common)
+        eta=setup.rolling_friction / 2, krot=rolling_stiffness(setup, setup.rolling_friction, 0.5 * setup.max_radius), **common)
+    rolling = surface_rolling_friction(setup)
     surfaces = Ip2_FrictMat_FrictMat_MindlinPhys(
-        eta=2 * surface_rolling_friction(setup) / RADIUS_OF_FACET, krot=rolling_stiffness(setup, setup.max_radius), **common)
+        eta=2 * rolling / RADIUS_OF_FACET, krot=rolling_stiffness(setup, rolling, setup.max_radius), **common)
     return InteractionLoop(geometry, [grains, surfaces], [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)])
 
 
-def rolling_stiffness(setup, radius):
+def rolling_stiffness(setup, friction, radius):
     """k_t R*^2 [N m], k_t of an overlap of a thousandth of the diameter: LIGGGHTS follows the overlap, YADE has a constant."""
+    if friction == 0:
+        return 0.0  # YADE takes a limit of 0 for no limit
     nu = setup.poisson_ratio
     shear = setup.youngs_modulus / (4 * (2 - nu) * (1 + nu))
     return 8 * shear * math.sqrt(radius * 2e-3 * setup.max_radius) * radius ** 2

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import msgpack
 import numpy as np
 
-VERSION = 2
+VERSION = 3
 HELLO, START, STARTED, ADVANCE, CHECKPOINT, STOP, DONE, HEARTBEAT, ADVANCED, FAILED = range(10)
 CONTACT_LAWS = ("hertz", "kelvin_voigt")
+ROTATIONS = ("free", "blocked", "control")
 
 
 @dataclass
@@ -42,6 +43,15 @@ class Linear:
 
 
 @dataclass
+class Control:
+    retarding_time: float
+    contact_influence: float
+    shear_influence: float
+    slide_to_roll: float
+    roll_to_slide: float
+
+
+@dataclass
 class Setup:
     timestep: float
     gravity: np.ndarray
@@ -58,6 +68,8 @@ class Setup:
     poisson_ratio: float
     contact: str
     linear: Linear
+    rotation: str
+    control: Control
     surfaces: list
     faces: list
     ranks: int
@@ -73,6 +85,7 @@ class NewGrain:
     radius: float
     face: int
     segment: int
+    spin: list
 
 
 @dataclass
@@ -117,6 +130,8 @@ def start(body):
     s.periodic = np.array(s.periodic, bool)
     s.contact = CONTACT_LAWS[s.contact]
     s.linear = Linear(*s.linear)
+    s.rotation = ROTATIONS[s.rotation]
+    s.control = Control(*s.control)
     s.surfaces = [Surface(n, np.frombuffer(t).reshape(-1, 3, 3), f, r) for n, t, f, r in s.surfaces]
     s.faces = [Face(*(np.array(v, float) for v in face[:3]), *face[3:]) for face in s.faces]
     return s, restore

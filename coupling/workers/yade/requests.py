@@ -20,8 +20,8 @@ def check(request, setup, book):
 def check_grain(g, setup):
     if not 0 < g.id <= LARGEST:
         raise Refused(f"a grain's id must be in 1..{LARGEST}, not {g.id}")
-    if not np.isfinite(g.position + g.velocity).all():
-        raise Refused(f"the new grain {g.id} has no finite position or velocity")
+    if not np.isfinite(g.position + g.velocity + g.spin).all():
+        raise Refused(f"the new grain {g.id} has no finite position, velocity or spin")
     if not 0 < g.radius <= setup.max_radius:
         raise Refused(f"the new grain {g.id} has radius {g.radius:g} m; allowed are radii up to {setup.max_radius:g} m")
     if any(not p and not lo <= x <= hi for p, lo, x, hi in zip(setup.periodic, setup.lo, g.position, setup.hi)):

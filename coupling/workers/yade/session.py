@@ -9,6 +9,7 @@ from yade.minieigenHP import Matrix3, Vector3
 from . import checkpoint, laws, messages, requests, surfaces
 from .book import POSITION, SPIN, VELOCITY, Book
 from .drive import Drive, Member
+from .rotation import Rotation
 from .steps import GRAIN_MASK, SCALING, Stepper
 
 
@@ -46,6 +47,7 @@ class Session:
         """Engines around the bodies that are there; last: forces on the surfaces."""
         self.drive = Drive(self.setup, self._wrap)
         self.probes = surfaces.Probes(self.surface_bodies, last)
+        self.rotation = Rotation(self.setup, self.surface_bodies, self.step)
         self._stepper = Stepper(self.setup, laws.interaction_loop(self.setup, range(len(O.materials))), self.drive.movers())
 
     def checkpoint(self, path):
@@ -69,6 +71,7 @@ class Session:
 
     def _after_forces(self, last):
         self.probes.read()
+        self.rotation.post_force(self.book, self.drive.all_held)
         self.drive.post_force(last)
         self._beat()
 
@@ -99,6 +102,10 @@ class Session:
             state.densityScaling = SCALING
             state.vel = Vector3(*g.velocity)
             if g.segment < 0:
+                state.angVel = Vector3(*g.spin)
+                state.blockedDOFs = self.rotation.at_first(g.spin)
+                if state.blockedDOFs and self.setup.rotation == 'blocked':
+                    state.angVel = Vector3.Zero
                 continue
             raft = self.drive.rafts[self.drive.first_raft[g.face] + g.segment]
             member = Member(g.id, id, float(self.book.mass_of(g.radius)), state)
