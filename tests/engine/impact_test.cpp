@@ -221,7 +221,7 @@ TEST_P(Impact, NeverAddsEnergy) {
       last = energy;
       EXPECT_LE(energy, first * (lossless ? 1.002 : 1 + 1e-12)) << "window " << n;
     }
-    note(lossless ? "energy kept, lossless" : "energy: largest rise", setup.restitution, lossless ? last / first : worst,
+    note(lossless ? "energy kept where lossless" : "energy: largest rise", setup.restitution, lossless ? last / first : worst,
          lossless ? 1 : 0);
     if (lossless) {
       EXPECT_NEAR(last / first, 1, 0.01);
