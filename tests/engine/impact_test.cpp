@@ -48,13 +48,6 @@ NewGrain grain(double height, Vec velocity) {
   return n;
 }
 
-// [rad/s] of one grain alone.
-double spin_of(const Advanced& a) {
-  const Grains& all = a.grains;
-  const double v2 = all.vx[0] * all.vx[0] + all.vy[0] * all.vy[0] + all.vz[0] * all.vz[0];
-  return std::sqrt(std::max(0.0, (2 * a.kinetic_energy / mass(r) - v2) / (0.4 * r * r)));
-}
-
 // The grain after it has met the plane and left it.
 Advanced rebound(const std::string& worker, const EngineSetup& setup, Vec velocity) {
   WorkerEngine engine(worker);

@@ -38,13 +38,6 @@ NewGrain spinning(std::int64_t id, Vec position, Vec velocity, double spin) {
   return n;
 }
 
-// [rad/s] of one grain alone.
-double spin_of(const Advanced& a) {
-  const Grains& all = a.grains;
-  const double v2 = all.vx[0] * all.vx[0] + all.vy[0] * all.vy[0] + all.vz[0] * all.vz[0];
-  return std::sqrt(std::max(0.0, (2 * a.kinetic_energy / mass(r) - v2) / (0.4 * r * r)));
-}
-
 double spin_after(const std::string& worker, const EngineSetup& setup, const NewGrain& grain, double time) {
   WorkerEngine engine(worker);
   engine.start(setup);

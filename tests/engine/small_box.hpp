@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -109,6 +110,13 @@ inline Vec momentum(const Grains& grains) {
     p[2] += m * grains.vz[i];
   }
   return p;
+}
+
+// [rad/s] of one grain of diameter d alone, from its energy.
+inline double spin_of(const Advanced& a) {
+  const Grains& all = a.grains;
+  const double v2 = all.vx[0] * all.vx[0] + all.vy[0] * all.vy[0] + all.vz[0] * all.vz[0];
+  return std::sqrt(std::max(0.0, (2 * a.kinetic_energy / mass(0.5 * d) - v2) / (0.1 * d * d)));
 }
 
 inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
