@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "continuum/isa/isa.hpp"
+#include "continuum/mesh/mpi_session.hpp"
 #include "couloir_build.hpp"
 
 namespace couloir {
@@ -26,9 +27,10 @@ std::string cpu_model() {
 std::string library_versions() {
   unsigned major = 0, minor = 0, release = 0;
   H5get_libversion(&major, &minor, &release);
-  return fmt::format("HDF5 {}.{}.{}, Eigen {}.{}.{}, fmt {}.{}.{}, nlohmann-json {}.{}.{}", major, minor, release,
+  return fmt::format("HDF5 {}.{}.{}, Eigen {}.{}.{}, fmt {}.{}.{}, nlohmann-json {}.{}.{}, {}", major, minor, release,
                      EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                     FMT_VERSION % 100, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH);
+                     FMT_VERSION % 100, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH,
+                     mesh_library_versions());
 }
 
 }  // namespace
