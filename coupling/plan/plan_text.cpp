@@ -20,11 +20,12 @@ std::string seconds(double value) {
   return fmt::format("{:.1f} h", value / 3600);
 }
 
-// One line for each size of cells.
+// One line for each size of cells that is there.
 std::string levels_text(const Plan& plan) {
   std::string out;
   const char* what = plan.scheme == "noc" ? "grid" : "block";
   for (const LevelCells& l : plan.levels) {
+    if (l.cells == 0) continue;
     out += fmt::format("           level {}: {} cells of {}, {} {}{}\n", l.level, l.cells, len(l.cell), l.blocks, what,
                        l.blocks == 1 ? "" : "s");
   }
