@@ -1,16 +1,23 @@
 #include "continuum/mesh/ranks.hpp"
 
 #include <mpi.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "continuum/mesh/mpi_session.hpp"
 
 namespace couloir {
 namespace {
+
+bool mpi_begun() {
+  int begun = 0;
+  MPI_Initialized(&begun);
+  return begun != 0;
+}
 
 int counted(std::size_t n) {
   if (n > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -48,14 +55,16 @@ double Ranks::total(double own) const {
   return sum;
 }
 
-// The first has the word: the others leave it the time to say it.
 void Ranks::end_all(int exit_code) {
-  int begun = 0;
-  MPI_Initialized(&begun);
-  const Ranks r = begun ? of_program() : Ranks();
-  if (r.alone()) return;
-  if (!r.first()) sleep(2);
-  MPI_Abort(MPI_COMM_WORLD, exit_code);
+  if (mpi_begun() && !of_program().alone()) MPI_Abort(MPI_COMM_WORLD, exit_code);
+}
+
+bool Ranks::is_another() {
+  if (mpi_begun()) return !of_program().first();
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"}) {
+    if (const char* rank = std::getenv(name)) return std::string(rank) != "0";
+  }
+  return false;
 }
 
 void Ranks::any(std::vector<char>& flags) const {

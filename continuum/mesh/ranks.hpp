@@ -12,8 +12,10 @@ class Ranks {
   Ranks() = default;  // this process alone; MPI is not begun
   // Those of the program; as many as mpirun was told.
   static Ranks of_program();
-  // Ends all of the program with this exit code, whatever the others do; returns where there is only one.
+  // Ends all of the program with this exit code, whatever the others do; returns where there is only one, or MPI is not begun.
   static void end_all(int exit_code);
+  // Whether this is one of several and not the first; as long as MPI is not begun, by what mpirun (Open MPI's, or PMI) says.
+  static bool is_another();
 
   int count() const { return count_; }
   int mine() const { return mine_; }
