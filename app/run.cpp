@@ -77,7 +77,7 @@ bool any_told_to_stop(const Ranks& ranks) {
 int run(const RunVerb& verb) {
   const Scene scene = verb.scene.read();
   const Ranks ranks = ranks_for(verb, scene);
-  check_memory(scene, make_plan(scene));
+  check_memory(scene, make_plan(scene), verb.ranks);
   const std::string text = write_scene(scene);
   RunOptions options;
   options.threads = verb.threads;

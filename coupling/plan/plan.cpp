@@ -188,10 +188,11 @@ Plan make_plan(const Scene& scene) {
     plan.followed_levels = scene.continuum.adapt.levels;
     if (!plan.levels.empty()) plan.cells = 0;
     for (const LevelCells& l : plan.levels) plan.cells += l.cells;
+    if (plan.followed_levels > 0) plan.followed_cells = std::max(plan.cells, whole(estimated_cells(scene)));
     plan.dt = least_step(scene, plan.grid);
     plan.steps = whole(scene.duration / plan.dt);
     plan.memory += (plan.scheme == "noc" ? noc_bytes_per_cell : bytes_per_cell) *
-                   std::max(static_cast<double>(plan.cells), plan.followed_levels > 0 ? estimated_cells(scene) : 0);
+                   static_cast<double>(std::max(plan.cells, plan.followed_cells));
     plan.time_continuum = 2.0 * static_cast<double>(plan.steps) * cells_by_work(scene) /
                           (plan.scheme == "noc" ? noc_updates_per_second : cell_updates_per_second);
   }

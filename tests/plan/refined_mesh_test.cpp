@@ -135,8 +135,20 @@ TEST(RefinedMesh, PlanSaysCellsByLevelAndWhatTheyCost) {
   EXPECT_EQ(plan_json(uniform)["continuum"]["levels"].size(), 0u);
 
   const Plan adaptive = make_plan(experiment("chiou_wall", {{"mode", "continuum"}, {"continuum.adapt.levels", "2"}}));
-  EXPECT_THAT(plan_text(adaptive), HasSubstr("more where the flow asks, down to 1.25 mm\n"));
+  EXPECT_THAT(plan_text(adaptive), HasSubstr("more where the flow asks, down to 1.25 mm: about " +
+                                             std::to_string(adaptive.followed_cells) + " cells in all\n"));
   EXPECT_GT(adaptive.time_continuum, uniform.time_continuum);
+
+  // What looks ahead further is refined wider, to no more than all cells.
+  const auto looking = [](const char* interval) {
+    return make_plan(experiment(
+        "chiou_wall", {{"mode", "continuum"}, {"continuum.adapt.levels", "2"}, {"continuum.adapt.interval", interval}}));
+  };
+  const Plan usual = looking("8"), seldom = looking("40"), never = looking("10000");
+  EXPECT_EQ(usual.memory, adaptive.memory);
+  EXPECT_GT(seldom.memory, 1.2 * usual.memory);
+  EXPECT_GT(seldom.time_continuum, 1.2 * usual.time_continuum);
+  EXPECT_EQ(never.followed_cells, 16 * never.cells);
 }
 
 TEST(RefinedMesh, PlanLeavesOutASizeThatNoCellHas) {
