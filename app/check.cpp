@@ -30,9 +30,9 @@ int check(const CheckVerb& verb) {
   if (std::ranges::all_of(expected, [](const Expected& e) { return e.cases.empty(); }))
     throw SceneError("there is nothing to check: no case is left; give other experiments, or another --variant");
 
-  RunPool pool(own_program(), verb.runs, materials_folder());
   CheckSettings settings;
   settings.jobs = jobs_or_cores(verb.jobs);
+  RunPool pool(own_program(), verb.runs, materials_folder(), settings.jobs);
   note_stop_signals();
   settings.stop = told_to_stop;
   pool.stop_when(told_to_stop);

@@ -82,7 +82,7 @@ class Screen {
 int study(const StudyVerb& verb) {
   const Study study = read_study(study_file(verb.path), {verb.quick, verb.variants}, materials_folder());
   const int jobs = jobs_or_cores(verb.jobs);
-  RunPool pool(own_program(), verb.runs, materials_folder());
+  RunPool pool(own_program(), verb.runs, materials_folder(), jobs);
   if (verb.dry_run) return dry_run(verb, study, pool, jobs);
   const fs::path folder = study_folder(verb, study);
   note_stop_signals();
@@ -103,7 +103,7 @@ int study(const StudyVerb& verb) {
   const std::string status = !whole ? "interrupted" : good ? "done" : "failed";
   const std::string csv = (folder / "study.csv").string(), h5 = (folder / "study.h5").string();
   const std::vector<StudyTableColumn> table = study_table(study, results);
-  write_study_h5(h5, study, status, table);
+  write_study_h5(h5, study, status, results);
   write_atomically(csv, study_csv(table));
   std::string page;
   if (!verb.no_report) {

@@ -41,4 +41,16 @@ const Provenance& provenance() {
   return made;
 }
 
+std::vector<std::pair<std::string, std::string>> provenance_attributes(const std::string& format) {
+  const Provenance& made = provenance();
+  return {{"format", format},
+          {"couloir_version", made.version},
+          {"git_revision", made.revision},
+          {"compiler", made.compiler},
+          {"compiler_flags", made.flags},
+          {"cpu", made.cpu},
+          {"instruction_set", made.instruction_set},
+          {"libraries", made.libraries}};
+}
+
 }  // namespace couloir
