@@ -16,11 +16,8 @@
 namespace couloir {
 namespace {
 
-struct CheckVerb {
-  std::vector<std::string> experiments, variants;
-  std::string runs = "runs/check";
-  int jobs = 0;
-  bool quick = false, json = false;
+struct CheckVerb : CaseOptions {
+  std::vector<std::string> experiments;
 };
 
 int check(const CheckVerb& verb) {
@@ -30,9 +27,9 @@ int check(const CheckVerb& verb) {
   if (std::ranges::all_of(expected, [](const Expected& e) { return e.cases.empty(); }))
     throw SceneError("there is nothing to check: no case is left; give other experiments, or another --variant");
 
-  RunPool pool(own_program(), verb.runs, materials_folder());
   CheckSettings settings;
   settings.jobs = jobs_or_cores(verb.jobs);
+  RunPool pool(own_program(), verb.runs, materials_folder(), settings.jobs);
   note_stop_signals();
   settings.stop = told_to_stop;
   pool.stop_when(told_to_stop);
@@ -60,13 +57,8 @@ void add_check(CLI::App& app, int& exit_code) {
   CLI::App* verb =
       app.add_subcommand("check", "run experiments and compare them with their expected.yaml; exit code 1 where one fails");
   verb->add_option("EXPERIMENT", options->experiments, "experiments' folders, or a folder of those")->required();
-  verb->add_flag("--quick", options->quick, "the short variants that the cases name; leaves out what has none");
-  verb->add_option("--variant", options->variants, "only this variant of the cases; may be given more than once")
-      ->take_all()
-      ->allow_extra_args(false);
-  verb->add_option("--jobs", options->jobs, "runs at a time; default: as many as there are cores")->check(CLI::Range(1, 256));
-  verb->add_option("--runs", options->runs, "folder of the runs, which are kept and used again");
-  verb->add_flag("--json", options->json, "print the findings alone, machine-readable");
+  options->declare(*verb, "the short variants that the cases name; leaves out what has none",
+                   "print the findings alone, machine-readable");
   verb->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

@@ -3,6 +3,8 @@
 //   0 done   1 a check failed   2 the user's input is wrong   3 the run failed (its state is saved and named)   4 an engine
 //   failed
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <string>
@@ -18,11 +20,28 @@
 
 namespace {
 
-int fail(int code, const char* kind, const std::exception& error) {
-  std::fprintf(stderr, "couloir: %s: %s\n", kind, error.what());
+// What goes wrong is told once: the first rank has the word, and ends the others; one that is still there then speaks itself.
+int fail(int code, const char* kind, const std::string& sentence) {
+  if (couloir::Ranks::is_another()) sleep(2);
+  std::fprintf(stderr, "couloir: %s: %s\n", kind, sentence.c_str());
   std::fflush(stderr);
   couloir::Ranks::end_all(code);
   return code;
+}
+
+int fail(int code, const char* kind, const std::exception& error) {
+  return fail(code, kind, std::string(error.what()));
+}
+
+constexpr const char* wrong_input = "error in the input";
+
+// What CLI11 finds wrong, with a remedy; or the help that was asked for.
+int end_parse(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return couloir::Ranks::is_another() ? 0 : app.exit(error);
+  const auto verbs = app.get_subcommands();
+  const std::string remedy =
+      verbs.empty() ? "couloir --help lists the verbs" : "couloir " + verbs.front()->get_name() + " --help lists what it takes";
+  return fail(2, wrong_input, std::string(error.what()) + "; " + remedy);
 }
 
 // CLI11 names neither the word nor what there is. True: it has been told.
@@ -32,8 +51,7 @@ bool unknown_verb(const CLI::App& app, const std::string& word) {
     if (verb->get_name() == word) return false;
     verbs += verb->get_name() + ", ";
   }
-  std::fprintf(stderr, "couloir: error in the input: there is no verb '%s'; there are %sand test at the front door ./couloir.\n",
-               word.c_str(), verbs.c_str());
+  fail(2, wrong_input, "there is no verb '" + word + "'; there are " + verbs + "and test at the front door ./couloir.");
   return true;
 }
 
@@ -57,11 +75,11 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     return exit_code;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return end_parse(app, error);
   } catch (const IsaError& error) {
-    return fail(2, "error in the input", error);
+    return fail(2, wrong_input, error);
   } catch (const SceneError& error) {
-    return fail(2, "error in the input", error);
+    return fail(2, wrong_input, error);
   } catch (const EngineError& error) {
     return fail(4, "the grain engine failed", error);
   } catch (const NumericsError& error) {

@@ -52,7 +52,6 @@ void print_result(const RunFolder& folder, const nlohmann::json& summary, const 
 Ranks ranks_for(const RunVerb& verb, const Scene& scene) {
   if (verb.ranks == 1) return {};
   const Ranks ranks = Ranks::of_program();
-  if (!ranks.first()) std::freopen("/dev/null", "w", stderr);  // what goes wrong is told once
   if (ranks.count() != verb.ranks) {
     throw SceneError(fmt::format("--ranks {}: the program runs on {} rank{}; start it as ./couloir run, which calls mpirun",
                                  verb.ranks, ranks.count(), ranks.count() == 1 ? "" : "s"));
@@ -78,7 +77,7 @@ bool any_told_to_stop(const Ranks& ranks) {
 int run(const RunVerb& verb) {
   const Scene scene = verb.scene.read();
   const Ranks ranks = ranks_for(verb, scene);
-  check_memory(scene, make_plan(scene));
+  check_memory(scene, make_plan(scene), verb.ranks);
   const std::string text = write_scene(scene);
   RunOptions options;
   options.threads = verb.threads;

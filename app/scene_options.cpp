@@ -29,6 +29,14 @@ Scene SceneOptions::read() const {
   return read_scene(path, materials_folder(), overrides);
 }
 
+void CaseOptions::declare(CLI::App& verb, const std::string& quick_help, const std::string& json_help) {
+  verb.add_flag("--quick", quick, quick_help);
+  verb.add_option("--variant", variants, "only this variant; may be given more than once")->take_all()->allow_extra_args(false);
+  verb.add_option("--jobs", jobs, "runs at a time; default: as many as there are cores")->check(CLI::Range(1, 256));
+  verb.add_option("--runs", runs, "folder of the runs, which are kept and used again");
+  verb.add_flag("--json", json, json_help);
+}
+
 std::string own_program() {
   return std::filesystem::read_symlink("/proc/self/exe").string();
 }

@@ -17,6 +17,17 @@ struct SceneOptions {
   Scene read() const;  // throws SceneError
 };
 
+// Those that check and study share: which cases, and how their runs are made.
+struct CaseOptions {
+  std::vector<std::string> variants;
+  std::string runs = "runs/check";
+  int jobs = 0;
+  bool quick = false, json = false;
+
+  // `quick_help`, `json_help`: what the two flags do for this verb.
+  void declare(CLI::App&, const std::string& quick_help, const std::string& json_help);
+};
+
 // The program itself, for runs in processes of their own.
 std::string own_program();
 // Runs at a time: as given, or (0) as many as there are cores.

@@ -21,11 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct StudyVerb {
-  std::string path, out, runs = "runs/check";
-  std::vector<std::string> variants;
-  int jobs = 0;
-  bool quick = false, json = false, dry_run = false, no_report = false;
+struct StudyVerb : CaseOptions {
+  std::string path, out;
+  bool dry_run = false, no_report = false;
 };
 
 std::string study_file(const std::string& path) {
@@ -82,7 +80,7 @@ class Screen {
 int study(const StudyVerb& verb) {
   const Study study = read_study(study_file(verb.path), {verb.quick, verb.variants}, materials_folder());
   const int jobs = jobs_or_cores(verb.jobs);
-  RunPool pool(own_program(), verb.runs, materials_folder());
+  RunPool pool(own_program(), verb.runs, materials_folder(), jobs);
   if (verb.dry_run) return dry_run(verb, study, pool, jobs);
   const fs::path folder = study_folder(verb, study);
   note_stop_signals();
@@ -103,7 +101,7 @@ int study(const StudyVerb& verb) {
   const std::string status = !whole ? "interrupted" : good ? "done" : "failed";
   const std::string csv = (folder / "study.csv").string(), h5 = (folder / "study.h5").string();
   const std::vector<StudyTableColumn> table = study_table(study, results);
-  write_study_h5(h5, study, status, table);
+  write_study_h5(h5, study, status, results);
   write_atomically(csv, study_csv(table));
   std::string page;
   if (!verb.no_report) {
@@ -133,16 +131,10 @@ void add_study(CLI::App& app, int& exit_code) {
   CLI::App* verb =
       app.add_subcommand("study", "run what a study.yaml asks for: parameters, searches, seeds; one table and pictures");
   verb->add_option("STUDY", options->path, "an experiment's folder, or a study.yaml")->required();
-  verb->add_flag("--quick", options->quick, "the short variants that its tables name");
+  options->declare(*verb, "the short variants that its tables name", "print the rows alone, machine-readable");
   verb->add_flag("--dry-run", options->dry_run, "list what would run and what it costs by the plan; runs nothing");
-  verb->add_option("--variant", options->variants, "only this variant; may be given more than once")
-      ->take_all()
-      ->allow_extra_args(false);
-  verb->add_option("--jobs", options->jobs, "runs at a time; default: as many as there are cores")->check(CLI::Range(1, 256));
-  verb->add_option("--runs", options->runs, "folder of the runs, which are kept and used again");
   verb->add_option("--out", options->out, "folder of the table and the pictures; default: runs/study-<experiment>");
   verb->add_flag("--no-report", options->no_report, "leave out the pictures");
-  verb->add_flag("--json", options->json, "print the rows alone, machine-readable");
   verb->callback([options, &exit_code] { exit_code = study(*options); });
 }
 

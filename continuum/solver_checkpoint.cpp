@@ -36,8 +36,7 @@ std::vector<std::uint8_t> Solver::checkpoint() const {
     for (int k = 0; k < m.zone.faces(side); ++k) put(m.zone.imposed(side, k)), put(m.zone.passed(side, k));
   }
   for (const auto& impulse : m.impulse) put(impulse);
-  put(static_cast<int>(m.gauges.size()));
-  for (const Impl::Gauge& g : m.gauges) put(std::array{g.i, g.j0, g.j1}), put(g.volume);
+  put_gauges(put, m.gauges);
   put(static_cast<int>(m.boxes.size()));
   for (const Impl::ControlBox& b : m.boxes) put(b);
   put(m.budget);
@@ -77,14 +76,9 @@ void Solver::restore(const std::vector<std::uint8_t>& bytes) {
     }
   }
   for (auto& impulse : m.impulse) impulse = in.take<std::array<double, 2>>();
-  const int gauges = in.take<int>();
-  m.gauges.clear();
+  m.gauges = take_gauges(in);
   for (BlockFaces& f : m.faces) f.gauges.clear();
-  for (int g = 0; g < gauges; ++g) {
-    const auto [i, j0, j1] = in.take<std::array<int, 3>>();
-    m.gauges.push_back({i, j0, j1, in.take<double>()});
-    m.lay_gauge(g);
-  }
+  for (std::size_t g = 0; g < m.gauges.size(); ++g) m.lay_gauge(static_cast<int>(g));
   const int boxes = in.take<int>();
   m.boxes.clear();
   for (BlockFaces& f : m.faces) f.boxes.clear();

@@ -7,18 +7,7 @@
 namespace couloir {
 
 void Solver::Impl::check_finite() const {
-  for (int j = 0; j < settings.grid.ny; ++j) {
-    for (int i = 0; i < settings.grid.nx; ++i) {
-      const FlowState q = get(i, j);
-      if (std::isfinite(q.h) && std::isfinite(q.hu) && std::isfinite(q.hv)) continue;
-      std::ostringstream text;
-      text << "The flow is not finite in cell (" << i << ", " << j << ") at x = " << settings.grid.x(i)
-           << " m, y = " << settings.grid.y(j) << " m at t = " << time << " s (step " << steps << "): h = " << q.h
-           << " m, hu = " << q.hu << " m2/s, hv = " << q.hv
-           << " m2/s; check what was released or handed in there, or lower continuum.cfl.";
-      throw NumericsError(text.str());
-    }
-  }
+  check_finite_cells(settings.grid, time, steps, "released or handed in", [&](int i, int j) { return get(i, j); });
 }
 
 void Solver::Impl::fail_negative(double dt) const {

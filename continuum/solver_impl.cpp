@@ -5,13 +5,14 @@
 #include <limits>
 #include <stdexcept>
 
+#include "continuum/mesh/most_levels.hpp"
 #include "continuum/scheme/effects.hpp"
 
 namespace couloir {
 namespace {
 
 void check(const SolverSettings& s, const ReferenceSurface& surface) {
-  const auto require = [](bool good, const char* sentence) {
+  const auto require = [](bool good, const std::string& sentence) {
     if (!good) throw std::invalid_argument(sentence);
   };
   require(s.gravity > 0, "The gravity must be positive; correct the scene.");
@@ -24,7 +25,8 @@ void check(const SolverSettings& s, const ReferenceSurface& surface) {
   require(!(surface.curved() && s.sides[0].kind == Side::Kind::periodic),
           "A surface with an arc cannot be periodic along the slope; choose other sides upstream and downstream.");
   const Refinement& r = s.refinement;
-  require(r.levels() >= 0 && r.levels() <= 6, "Cells can be halved up to 6 times; lower the levels of the refinement.");
+  require(r.levels() >= 0 && r.levels() <= most_levels,
+          "Cells can be halved up to " + std::to_string(most_levels) + " times; lower the levels of the refinement.");
   require(r.adaptive.levels == 0 || r.adaptive.interval > 0,
           "The mesh follows the flow at an interval of at least one step; correct it.");
   for (const RefineBox& b : r.boxes) {

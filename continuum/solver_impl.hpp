@@ -17,6 +17,7 @@
 #include "continuum/mesh/forest.hpp"
 #include "continuum/mesh/mesh.hpp"
 #include "continuum/mesh/wishes.hpp"
+#include "continuum/scheme/counted.hpp"
 #include "continuum/scheme/kernels.hpp"
 #include "continuum/scheme/parameters.hpp"
 #include "continuum/scheme/stage.hpp"
@@ -25,11 +26,6 @@
 namespace couloir {
 
 struct Solver::Impl {
-  struct Gauge {
-    int i, j0, j1;
-    double volume;
-  };
-
   struct ControlBox {
     CellBox cells;
     std::array<double, 2> before;  // momentum when it was added [m4/s]

@@ -12,11 +12,24 @@ namespace {
 
 constexpr int children[][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
 
+bool periodic(const SolverSettings& s, int axis) {
+  return s.sides[2 * axis].kind == Side::Kind::periodic;
+}
+
+// How far a place is from a stretch, round a period that is not 0.
+double gap(double at, double from, double to, double period) {
+  const auto beyond = [&](double by) { return std::max(from + by - at, at - to - by); };
+  return period > 0 ? std::min({beyond(0), beyond(period), beyond(-period)}) : beyond(0);
+}
+
 }  // namespace
 
 void Solver::Impl::refine_boxes() {
-  grow_fully(*forest, wishes_of(settings.refinement.boxes), settings.grid, settings.block);
-  if (!settings.refinement.empty()) mesh.become(forest->leaves());
+  if (settings.refinement.empty()) return;
+  std::vector<Wish> wishes = wishes_of(settings.refinement.boxes);
+  wrap(wishes, settings.grid, periodic(settings, 0), periodic(settings, 1));
+  grow_fully(*forest, wishes, settings.grid, settings.block);
+  mesh.become(forest->leaves());
 }
 
 void Solver::Impl::take_leaves(const std::vector<Leaf>& leaves) {
@@ -37,6 +50,7 @@ bool Solver::Impl::adapt() {
   fill_all_ghosts();
   std::vector<Wish> all = wishes_of(settings.refinement.boxes);
   wish_by_state(all);
+  wrap(all, settings.grid, periodic(settings, 0), periodic(settings, 1));
   // One level a time, so that no block's new cells are more than one level away from its old ones.
   if (!grow(*forest, all, settings.grid, settings.block)) return false;
   become(forest->leaves());
@@ -52,6 +66,7 @@ void Solver::Impl::wish_by_state(std::vector<Wish>& all) const {
   for_cells([&](int k, int c) { deepest = std::max(deepest, states[k].now.h[c]); });
   if (!(deepest > 0)) return;
   const double film = std::max(0.01 * deepest, settings.dry_depth), reach = 0.5 * a.interval + 1;
+  const double around_x = periodic(settings, 0) ? g.nx * g.dx : 0, around_y = periodic(settings, 1) ? g.ny * g.dy : 0;
   std::vector<bool> near(obstacle_boxes.size(), false);
   for (std::size_t k = 0; k < states.size(); ++k) {
     const Block& b = mesh.blocks()[k];
@@ -83,7 +98,7 @@ void Solver::Impl::wish_by_state(std::vector<Wish>& all) const {
         const double x = b.grid.x(b.i0 + i), y = b.grid.y(b.j0 + j);
         for (std::size_t o = 0; o < near.size(); ++o) {
           const auto& [x0, x1, y0, y1] = obstacle_boxes[o];
-          const double far = std::max({x0 - x, x - x1, y0 - y, y - y1});
+          const double far = std::max(gap(x, x0, x1, around_x), gap(y, y0, y1, around_y));
           near[o] = near[o] || (a.obstacle > 0 && far <= a.obstacle + reach * std::max(g.dx, g.dy));
         }
       }

@@ -29,18 +29,22 @@ def deepest(run, share=99.8):
 
 
 def extent(run, frames):
-    """(x from, to, y from, to) [m] that holds the flow of these frames and the obstacles, with a margin."""
+    """(x from, to, y from, to) [m] that holds the flow of these frames, its outermost cells whole, and the obstacles, with a
+    margin."""
     wet = wet_depth(run)
     x, y, h = run.depth(frames[0])
     shape = np.any([run.depth(frame)[2] > wet for frame in frames], axis=0)
     columns, rows = np.flatnonzero(shape.any(axis=0)), np.flatnonzero(shape.any(axis=1))
-    xs = [x[columns[0]], x[columns[-1]]] if columns.size else [x[0], x[-1]]
-    ys = [y[rows[0]], y[rows[-1]]] if rows.size else [y[0], y[-1]]
+    half_x = (x[1] - x[0]) / 2
+    half_y = (y[1] - y[0]) / 2 if len(y) > 1 else half_x  # one row is drawn as square cells
+    left, right, low, high = x[0] - half_x, x[-1] + half_x, y[0] - half_y, y[-1] + half_y
+    xs = [x[columns[0]] - half_x, x[columns[-1]] + half_x] if columns.size else [left, right]
+    ys = [y[rows[0]] - half_y, y[rows[-1]] + half_y] if rows.size else [low, high]
     for o in run.obstacles.values():
         xs += [o["x"], o["x"] + o["length"]]
         ys += [o["y"] - o["width"] / 2, o["y"] + o["width"] / 2]
     margin = 0.04 * (max(xs) - min(xs)) + 0.01
-    return (max(x[0], min(xs) - margin), min(x[-1], max(xs) + margin), max(y[0], min(ys) - margin), min(y[-1], max(ys) + margin))
+    return (max(left, min(xs) - margin), min(right, max(xs) + margin), max(low, min(ys) - margin), min(high, max(ys) + margin))
 
 
 def draw_obstacles_from_above(axes, run):

@@ -157,7 +157,6 @@ def study_page(study, out):
     count = {s: list(study.columns["status"].values).count(s) for s in ("done", "failed", "not run")}
     good = count["failed"] == count["not run"] == 0
     verdict = ", ".join(f"<b>{n}</b> rows {status}" for status, n in count.items() if n)
-    cpu = float(np.sum(study.columns["cpu"].values))
     body = ""
     for name, rows in study.tables():
         drawn = draw_table(study, name, rows, out / f"{file_name(name)}.png")
@@ -166,7 +165,7 @@ def study_page(study, out):
         body += section(name, picture(drawn, caption) + rows_table(study, rows))
     a = study.attributes
     about = f"study {a['name']} · couloir {a['couloir_version']} ({a['git_revision']}) · {a['cpu']}"
-    return page(str(a["title"]), about, f"{verdict}; {number(cpu, 3)} s of processor time in all.", good, body)
+    return page(str(a["title"]), about, f"{verdict}; {number(float(a['total_cpu']), 3)} s of processor time in all.", good, body)
 
 
 def main():

@@ -29,4 +29,12 @@ void use_mpi() {
   p4est_init(nullptr, SC_LP_ERROR);
 }
 
+std::string mesh_library_versions() {
+  char text[MPI_MAX_LIBRARY_VERSION_STRING] = "";
+  int length = 0;
+  MPI_Get_library_version(text, &length);
+  const std::string mpi(text, length);
+  return "p4est " P4EST_VERSION ", " + mpi.substr(0, mpi.find(','));  // what follows says who built it
+}
+
 }  // namespace couloir

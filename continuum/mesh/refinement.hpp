@@ -12,8 +12,8 @@ struct RefineBox {
   double margin = 0;  // [m] by which a parent is larger than its child on each side; 0: five cells of the parent
 };
 
-// Finest cells where the flow asks for them. A block is refined by any of these; it is coarsened when none holds at half of its
-// bound any more.
+// Finest cells where the flow asks for them. A block is refined by any of these; it is coarsened when front and gradient hold at
+// half of their bounds no more. Obstacles and the zone's rim stand still: those two have one bound.
 struct Adaptive {
   int levels = 0;         // how often the cells may be halved; 0: not adaptive
   int interval = 8;       // steps of the coarsest cells between two looks

@@ -16,6 +16,23 @@ std::vector<Wish> wishes_of(const std::vector<RefineBox>& boxes) {
   return all;
 }
 
+void wrap(std::vector<Wish>& wishes, const Grid& grid, bool periodic_x, bool periodic_y) {
+  const auto over = [&](double Wish::*low, double Wish::*high, double from, double length) {
+    for (std::size_t k = 0, given = wishes.size(); k < given; ++k) {
+      const auto add = [&](double by) {
+        Wish w = wishes[k];
+        w.*low += by, w.*high += by;
+        wishes.push_back(w);
+      };
+      const double below = wishes[k].*low, above = wishes[k].*high;
+      if (below < from) add(length);
+      if (above > from + length) add(-length);
+    }
+  };
+  if (periodic_x) over(&Wish::x0, &Wish::x1, grid.x0, grid.nx * grid.dx);
+  if (periodic_y) over(&Wish::y0, &Wish::y1, grid.y0, grid.ny * grid.dy);
+}
+
 int wished_level(const std::vector<Wish>& wishes, const Leaf& leaf, const Grid& grid, int edge) {
   const double width = edge * grid.dx, height = edge * grid.dy;
   const double x0 = grid.x0 + std::ldexp(leaf.bi * width, -leaf.level), x1 = x0 + std::ldexp(width, -leaf.level);
@@ -44,7 +61,9 @@ std::vector<LevelCells> count_levels(const Grid& grid, int edge, bool periodic_x
   refinement.boxes = boxes;
   const int levels = refinement.levels();
   Forest forest((grid.nx + edge - 1) / edge, (grid.ny + edge - 1) / edge, periodic_x, periodic_y, levels);
-  grow_fully(forest, wishes_of(boxes), grid, edge);
+  std::vector<Wish> wishes = wishes_of(boxes);
+  wrap(wishes, grid, periodic_x, periodic_y);
+  grow_fully(forest, wishes, grid, edge);
   std::vector<LevelCells> count;
   for (int level = 0; level <= levels; ++level) count.push_back({level, grid.refined(level).dx, 0, 0});
   for (const Leaf& leaf : forest.leaves()) {

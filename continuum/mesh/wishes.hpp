@@ -18,6 +18,9 @@ struct Wish {
 // One for each level of each box, larger by its margin from level to level.
 std::vector<Wish> wishes_of(const std::vector<RefineBox>&);
 
+// What reaches over a periodic side is also wanted where it comes in on the other one.
+void wrap(std::vector<Wish>&, const Grid&, bool periodic_x, bool periodic_y);
+
 // The greatest level among the wishes that meet the leaf; a leaf of level 0 has edge x edge cells of the grid.
 int wished_level(const std::vector<Wish>&, const Leaf&, const Grid&, int edge);
 

@@ -15,6 +15,7 @@
 #include "continuum/noc/receive.hpp"
 #include "continuum/noc/region.hpp"
 #include "continuum/noc/share.hpp"
+#include "continuum/scheme/counted.hpp"
 
 namespace couloir {
 
@@ -22,10 +23,6 @@ struct NocSolver::Impl {
   using Point = noc::Point;
   using Lattice = noc::Lattice;
 
-  struct Gauge {
-    int i, j0, j1;
-    double volume;
-  };
   // One of the four shares of a corner, as the corner sees it; beyond a wall it is the mirror image of one inside.
   struct Giver {
     Point p;

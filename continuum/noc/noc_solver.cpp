@@ -81,17 +81,7 @@ void NocSolver::Impl::lay_lines() {
 }
 
 void NocSolver::Impl::check_finite() const {
-  for (int j = 0; j < settings.grid.ny; ++j) {
-    for (int i = 0; i < settings.grid.nx; ++i) {
-      const FlowState q = get(i, j);
-      if (std::isfinite(q.h) && std::isfinite(q.hu) && std::isfinite(q.hv)) continue;
-      std::ostringstream text;
-      text << "The flow is not finite in cell (" << i << ", " << j << ") at x = " << settings.grid.x(i)
-           << " m, y = " << settings.grid.y(j) << " m at t = " << time << " s (step " << steps << "): h = " << q.h
-           << " m, hu = " << q.hu << " m2/s, hv = " << q.hv << " m2/s; check what was released there, or lower continuum.cfl.";
-      throw NumericsError(text.str());
-    }
-  }
+  check_finite_cells(settings.grid, time, steps, "released", [&](int i, int j) { return get(i, j); });
 }
 
 void NocSolver::Impl::put(int i, int j, const FlowState& q) {
@@ -264,8 +254,7 @@ std::vector<std::uint8_t> NocSolver::checkpoint() const {
     for (int i = 0; i < m.settings.grid.nx; ++i) put(m.get(i, j));
   }
   for (const auto& impulse : m.impulse) put(impulse);
-  put(static_cast<int>(m.gauges.size()));
-  for (const Impl::Gauge& g : m.gauges) put(std::array{g.i, g.j0, g.j1}), put(g.volume);
+  put_gauges(put, m.gauges);
   put(static_cast<int>(m.boxes.size()));
   for (const noc::ControlBox& b : m.boxes) put(b);
   for (const std::vector<double>& owed : m.inflow_owed) {
@@ -293,11 +282,7 @@ void NocSolver::restore(const std::vector<std::uint8_t>& bytes) {
     for (int i = 0; i < m.settings.grid.nx; ++i) m.put(i, j, in.take<FlowState>());
   }
   for (auto& impulse : m.impulse) impulse = in.take<std::array<double, 2>>();
-  m.gauges.resize(in.take<int>());
-  for (Impl::Gauge& g : m.gauges) {
-    const auto [i, j0, j1] = in.take<std::array<int, 3>>();
-    g = {i, j0, j1, in.take<double>()};
-  }
+  m.gauges = take_gauges(in);
   m.boxes.resize(in.take<int>());
   for (noc::ControlBox& b : m.boxes) b = in.take<noc::ControlBox>();
   for (std::vector<double>& owed : m.inflow_owed) {

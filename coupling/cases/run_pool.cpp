@@ -6,12 +6,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <thread>
+#include <vector>
 
 #include "coupling/cases/share_out.hpp"
 #include "coupling/records/provenance.hpp"
@@ -86,16 +89,30 @@ std::string run_program(const std::string& program, std::vector<std::string> wor
   return WEXITSTATUS(status) == 0 ? "" : fmt::format("ended with exit code {}", WEXITSTATUS(status));
 }
 
+// <name>-<hash>.part-<process>, or its .log, of a process that is no more.
+bool is_left_behind(const std::string& name) {
+  static const std::regex part(".+-[0-9a-f]{16}\\.part-([1-9][0-9]{0,8})(\\.log)?");
+  std::smatch found;
+  return std::regex_match(name, found, part) && kill(std::stoi(found[1]), 0) != 0 && errno == ESRCH;
+}
+
 }  // namespace
 
-RunPool::RunPool(std::string program, std::string folder, std::string materials)
+RunPool::RunPool(std::string program, std::string folder, std::string materials, int cores)
     : program_(std::move(program)),
       folder_(std::move(folder)),
       materials_(std::move(materials)),
-      revision_(program_revision(program_)) {
+      revision_(program_revision(program_)),
+      cores_(cores) {}
+
+void RunPool::make_folder() {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) throw RecordError(fmt::format("{} cannot be made: {}", folder_, error.message()));
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(folder_))
+    if (is_left_behind(entry.path().filename().string())) left.push_back(entry.path());
+  for (const fs::path& path : left) fs::remove_all(path, error);
 }
 
 std::string RunPool::command(const std::string& scene, const Overrides& set) const {
@@ -110,7 +127,8 @@ std::string RunPool::command(const std::string& scene, const Overrides& set) con
 RunPool::Place RunPool::place_of(const std::string& scene, const Overrides& set) const {
   const Scene read = read_scene(scene, materials_, set);
   const std::string hash = fmt::format("{:016x}", hash_of(write_scene(read) + "\n" + revision_));
-  return {(fs::path(folder_) / fmt::format("{}-{}", scene_name(read), hash)).string(), hash};
+  return {(fs::path(folder_) / fmt::format("{}-{}", scene_name(read), hash)).string(), hash,
+          read.mode == Mode::continuum ? 1 : read.grains.ranks};
 }
 
 bool RunPool::done(const std::string& scene, const Overrides& set) const {
@@ -139,7 +157,7 @@ PooledRun RunPool::run(const std::string& scene, const Overrides& set) {
   return result.get();
 }
 
-PooledRun RunPool::make(const Place& place, const std::string& scene, const Overrides& set) const {
+PooledRun RunPool::make(const Place& place, const std::string& scene, const Overrides& set) {
   PooledRun out;
   out.folder = place.folder;
   out.hash = place.hash;
@@ -150,6 +168,8 @@ PooledRun RunPool::make(const Place& place, const std::string& scene, const Over
     out.reused = true;
     return out;
   }
+  std::call_once(folder_made_, [&] { make_folder(); });
+  const Cores::Hold held(cores_, place.cores);
   if (stop_()) throw Stopped();
   const std::string part = fmt::format("{}.part-{}", place.folder, getpid()), log = part + ".log";
   fs::remove_all(part);

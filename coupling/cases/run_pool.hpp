@@ -3,7 +3,8 @@
 //
 //   scene text + revision -> hash -> FOLDER/<name>-<hash>/summary.json, or a new run
 //
-// A run is made beside its final place and renamed when it is done, so that a folder of that name is always whole.
+// A run is made beside its final place and renamed when it is done, so that a folder of that name is always whole. What a call
+// that is no more left beside it is removed by the next call that makes a run.
 
 #include <functional>
 #include <future>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "coupling/cases/cores.hpp"
 #include "coupling/scene/reader.hpp"
 
 namespace couloir {
@@ -27,8 +29,9 @@ struct PooledRun {
 
 class RunPool {
  public:
-  // `program`: couloir itself; `folder`: of the runs, made where it is missing; `materials`: as read_scene.
-  RunPool(std::string program, std::string folder, std::string materials);
+  // `program`: couloir itself; `folder`: of the runs, made by the first of them; `materials`: as read_scene; `cores`: that the
+  // runs under way take together, an engine of several ranks as many.
+  RunPool(std::string program, std::string folder, std::string materials, int cores);
 
   // From now on ends its runs once stop() is true, and begins no more: run() then throws Stopped, and what is not done is
   // removed.
@@ -44,12 +47,16 @@ class RunPool {
  private:
   struct Place {
     std::string folder, hash;
+    int cores;
   };
   Place place_of(const std::string& scene, const Overrides&) const;
-  PooledRun make(const Place&, const std::string& scene, const Overrides&) const;
+  PooledRun make(const Place&, const std::string& scene, const Overrides&);
+  void make_folder();
 
   std::string program_, folder_, materials_, revision_;
   std::function<bool()> stop_ = [] { return false; };
+  Cores cores_;
+  std::once_flag folder_made_;
   std::mutex mutex_;
   std::map<std::string, std::shared_future<PooledRun>> runs_;  // by folder
 };

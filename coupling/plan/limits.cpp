@@ -134,12 +134,13 @@ double machine_memory() {
   return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE));
 }
 
-void check_memory(const Scene& scene, const Plan& plan) {
-  if (plan.memory <= machine_memory()) return;
+void check_memory(const Scene& scene, const Plan& plan, int ranks) {
+  if (ranks * plan.memory <= machine_memory()) return;
   const bool by_grains = scene.mode != Mode::continuum;
   fail(scene, by_grains ? "grains.diameter" : "continuum.cell",
-       "asks for about {:.3g} GB of memory, and this machine has {:.3g} GB; use larger {}", plan.memory * 1e-9,
-       machine_memory() * 1e-9, by_grains ? "grains" : "cells");
+       "asks for about {:.3g} GB of memory{}, and this machine has {:.3g} GB; use larger {}{}", plan.memory * 1e-9,
+       ranks > 1 ? fmt::format(" on each of {} ranks", ranks) : "", machine_memory() * 1e-9, by_grains ? "grains" : "cells",
+       ranks > 1 ? ", or fewer ranks" : "");
 }
 
 }  // namespace couloir

@@ -9,8 +9,8 @@ namespace couloir {
 // a zone on cell lines that cuts no obstacle; at most 1e9 grains. Throws SceneError with place, key, bound and remedy.
 void check_limits(const Scene&, const Plan&);
 
-// Throws SceneError where the plan needs more memory than this machine has.
-void check_memory(const Scene&, const Plan&);
+// Throws SceneError where the plan needs more memory than this machine has; each of the ranks that share the continuum holds all.
+void check_memory(const Scene&, const Plan&, int ranks = 1);
 
 double machine_memory();  // [bytes]
 

@@ -105,10 +105,22 @@ void warn_of_inflows(const Scene& scene, const auto& say) {
   }
 }
 
+// Signs that nothing in this scene can give are none.
+void warn_of_no_sign(const Scene& scene, const auto& say) {
+  const AdaptSpec& a = scene.continuum.adapt;
+  const bool some =
+      a.front || a.gradient > 0 || (a.obstacle > 0 && !scene.obstacles.empty()) || (a.zone && scene.mode == Mode::coupled);
+  if (scene.mode == Mode::grains || a.levels == 0 || some) return;
+  say("continuum.adapt asks for finer cells by no sign that this scene has: none will be made; switch on front, gradient or "
+      "obstacle, "
+      "or leave adapt out.");
+}
+
 void warn(Plan& plan, const Scene& scene) {
   const auto say = [&](std::string text) { plan.warnings.push_back(std::move(text)); };
   warn_of_absence(plan, scene, say);
   warn_of_inflows(scene, say);
+  warn_of_no_sign(scene, say);
   for (const std::string& assumed : inflow_assumptions(scene)) say(assumed);
   if (plan.memory > machine_memory())
     say(fmt::format("This machine has {:.3g} GB: the run would be refused.", machine_memory() * 1e-9));
@@ -176,10 +188,11 @@ Plan make_plan(const Scene& scene) {
     plan.followed_levels = scene.continuum.adapt.levels;
     if (!plan.levels.empty()) plan.cells = 0;
     for (const LevelCells& l : plan.levels) plan.cells += l.cells;
+    if (plan.followed_levels > 0) plan.followed_cells = std::max(plan.cells, whole(estimated_cells(scene)));
     plan.dt = least_step(scene, plan.grid);
     plan.steps = whole(scene.duration / plan.dt);
     plan.memory += (plan.scheme == "noc" ? noc_bytes_per_cell : bytes_per_cell) *
-                   std::max(static_cast<double>(plan.cells), plan.followed_levels > 0 ? estimated_cells(scene) : 0);
+                   static_cast<double>(std::max(plan.cells, plan.followed_cells));
     plan.time_continuum = 2.0 * static_cast<double>(plan.steps) * cells_by_work(scene) /
                           (plan.scheme == "noc" ? noc_updates_per_second : cell_updates_per_second);
   }

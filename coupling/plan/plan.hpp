@@ -28,6 +28,7 @@ struct Plan {
   std::int64_t cells = 0;                       // of all levels
   std::vector<LevelCells> levels;               // empty: cells of one size
   int followed_levels = 0;                      // how often cells may be halved where the mesh follows the flow
+  std::int64_t followed_cells = 0;              // of all levels where the mesh follows the flow, roughly; else 0
   double dt = 0;                                // [s] least continuum step expected
   std::int64_t steps = 0;                       // at that step
   FlowEstimate at_obstacle;                     // flow expected at the first obstacle; without one at the terrain's end

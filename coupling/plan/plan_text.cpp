@@ -20,16 +20,18 @@ std::string seconds(double value) {
   return fmt::format("{:.1f} h", value / 3600);
 }
 
-// One line for each size of cells.
+// One line for each size of cells that is there.
 std::string levels_text(const Plan& plan) {
   std::string out;
   const char* what = plan.scheme == "noc" ? "grid" : "block";
   for (const LevelCells& l : plan.levels) {
+    if (l.cells == 0) continue;
     out += fmt::format("           level {}: {} cells of {}, {} {}{}\n", l.level, l.cells, len(l.cell), l.blocks, what,
                        l.blocks == 1 ? "" : "s");
   }
   if (plan.followed_levels > 0) {
-    out += fmt::format("           more where the flow asks, down to {}\n", len(std::ldexp(plan.grid.dx, -plan.followed_levels)));
+    out += fmt::format("           more where the flow asks, down to {}: about {} cells in all\n",
+                       len(std::ldexp(plan.grid.dx, -plan.followed_levels)), plan.followed_cells);
   }
   return out;
 }
@@ -61,8 +63,9 @@ std::string plan_text(const Plan& plan) {
     out += fmt::format("grains     about {} at once; {} engine steps of {:.3g} us\n",
                        plan.grains[static_cast<std::size_t>(plan.mode)], plan.engine_steps, plan.engine_dt * 1e6);
   }
-  out += fmt::format("cost       about {} (continuum {}, engine {}), {:.0f} MB; within a factor of three\n", seconds(plan.time),
-                     seconds(plan.time_continuum), seconds(plan.time_engine), plan.memory * 1e-6);
+  out += fmt::format("cost       about {} (continuum {}, engine {}), {:.0f} MB; within a factor of {}\n", seconds(plan.time),
+                     seconds(plan.time_continuum), seconds(plan.time_engine), plan.memory * 1e-6,
+                     plan.followed_levels > 0 ? "ten: the mesh follows the flow" : "three");
   for (const bool on : {true, false}) {
     out += on ? "effects\n" : "left out\n";
     for (const Effect& effect : plan.effects) {

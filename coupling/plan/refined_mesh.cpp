@@ -40,7 +40,8 @@ double cells_by_work(const Scene& scene) {
   for (const LevelCells& l : planned_levels(scene)) {
     if (l.level > 0) work += std::ldexp(static_cast<double>(l.cells), l.level);
   }
-  return work + followed_share * wet * (std::ldexp(1.0, 3 * scene.continuum.adapt.levels) - 1);
+  const double followed = std::min(followed_area(scene), wet_area(scene)) / (g.dx * g.dy);  // dry cells cost nothing
+  return work + followed * (std::ldexp(1.0, 3 * scene.continuum.adapt.levels) - 1);
 }
 
 }  // namespace couloir

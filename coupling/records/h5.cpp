@@ -203,6 +203,10 @@ void put_attribute(hid_t object, const std::string& name, std::int64_t value) {
   put_attribute(object, name, H5T_NATIVE_INT64, &value);
 }
 
+void put_attributes(hid_t object, const std::vector<std::pair<std::string, std::string>>& texts) {
+  for (const auto& [name, value] : texts) put_attribute(object, name, value);
+}
+
 std::string text_attribute(hid_t object, const std::string& name) {
   const std::string doing = reading(object, name);
   const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), doing);

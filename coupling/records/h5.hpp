@@ -50,6 +50,7 @@ std::vector<std::string> children(hid_t parent);  // names in alphabetical order
 void put_attribute(hid_t object, const std::string& name, const std::string& value);
 void put_attribute(hid_t object, const std::string& name, double value);
 void put_attribute(hid_t object, const std::string& name, std::int64_t value);
+void put_attributes(hid_t object, const std::vector<std::pair<std::string, std::string>>& texts);
 std::string text_attribute(hid_t object, const std::string& name);
 double number_attribute(hid_t object, const std::string& name);
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "continuum/isa/isa.hpp"
+#include "continuum/mesh/mpi_session.hpp"
 #include "couloir_build.hpp"
 
 namespace couloir {
@@ -26,9 +27,10 @@ std::string cpu_model() {
 std::string library_versions() {
   unsigned major = 0, minor = 0, release = 0;
   H5get_libversion(&major, &minor, &release);
-  return fmt::format("HDF5 {}.{}.{}, Eigen {}.{}.{}, fmt {}.{}.{}, nlohmann-json {}.{}.{}", major, minor, release,
+  return fmt::format("HDF5 {}.{}.{}, Eigen {}.{}.{}, fmt {}.{}.{}, nlohmann-json {}.{}.{}, {}", major, minor, release,
                      EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
-                     FMT_VERSION % 100, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH);
+                     FMT_VERSION % 100, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH,
+                     mesh_library_versions());
 }
 
 }  // namespace
@@ -37,6 +39,18 @@ const Provenance& provenance() {
   static const Provenance made{build::kVersion, build::kRevision,        build::kCompiler,  build::kFlags,
                                cpu_model(),     to_string(chosen_isa()), library_versions()};
   return made;
+}
+
+std::vector<std::pair<std::string, std::string>> provenance_attributes(const std::string& format) {
+  const Provenance& made = provenance();
+  return {{"format", format},
+          {"couloir_version", made.version},
+          {"git_revision", made.revision},
+          {"compiler", made.compiler},
+          {"compiler_flags", made.flags},
+          {"cpu", made.cpu},
+          {"instruction_set", made.instruction_set},
+          {"libraries", made.libraries}};
 }
 
 }  // namespace couloir

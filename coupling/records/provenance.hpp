@@ -1,6 +1,8 @@
 #pragma once
 // What made a record: nothing that names a host, a user or a place.
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace couloir {
 
@@ -15,5 +17,8 @@ struct Provenance {
 };
 
 const Provenance& provenance();
+
+// The same as the attributes of a file of this format: names and texts.
+std::vector<std::pair<std::string, std::string>> provenance_attributes(const std::string& format);
 
 }  // namespace couloir

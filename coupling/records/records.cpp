@@ -63,25 +63,14 @@ void Records::on_start(const RunStart& start) {
 }
 
 void Records::write_root(const Scene& scene, double bulk_density) {
-  const Provenance& made = provenance();
-  const std::pair<const char*, std::string> texts[] = {
-      {"format", "couloir records"},
-      {"couloir_version", made.version},
-      {"git_revision", made.revision},
-      {"compiler", made.compiler},
-      {"compiler_flags", made.flags},
-      {"cpu", made.cpu},
-      {"instruction_set", made.instruction_set},
-      {"libraries", made.libraries},
-      {"start_time", now_utc()},
-      {"title", scene.title},
-      {"mode", to_string(scene.mode)},
-      {"scene", scene_text_},
-      {"scene_as_given", scene.text},
-      {"engine", scene.mode == Mode::continuum ? "" : scene.grains.engine},
-      {"status", "running"},
-  };
-  for (const auto& [name, value] : texts) h5::put_attribute(file_, name, value);
+  h5::put_attributes(file_, provenance_attributes("couloir records"));
+  h5::put_attributes(file_, {{"start_time", now_utc()},
+                             {"title", scene.title},
+                             {"mode", to_string(scene.mode)},
+                             {"scene", scene_text_},
+                             {"scene_as_given", scene.text},
+                             {"engine", scene.mode == Mode::continuum ? "" : scene.grains.engine},
+                             {"status", "running"}});
   h5::put_attribute(file_, "format_version", std::int64_t{kFormatVersion});
   h5::put_attribute(file_, "seed", std::int64_t{scene.grains.seed});
   h5::put_attribute(file_, "bulk_density", bulk_density);             // [kg/m3]

@@ -76,8 +76,10 @@ struct Checker {
     }
     const bool out = b.x0 < -room || b.x1 > length + room || b.y0 < -half - room || b.y1 > half + room;
     if (within_domain(scene, b).empty() || (r.around.empty() && out)) {
-      fail(key, "covers x from {} to {} and y from {} to {}, which reaches out of the domain (x from 0 to {}, y from {} to {})",
-           len(b.x0), len(b.x1), len(b.y0), len(b.y1), len(length), len(-half), len(half));
+      fail(key,
+           "covers x from {} to {} and y from {} to {}, which reaches out of the domain (x from 0 to {}, y from {} to {}); {}",
+           len(b.x0), len(b.x1), len(b.y0), len(b.y1), len(length), len(-half), len(half),
+           r.around.empty() ? "give x and y within it" : "give up, down, left and right within it");
     }
   }
 

@@ -36,6 +36,15 @@ double wet_area(const Scene& scene) {
   return std::min(all, 6 * (f.x1 - f.x0) * (f.y1 - f.y0));
 }
 
+double followed_area(const Scene& scene) {
+  const AdaptSpec& a = scene.continuum.adapt;
+  if (a.levels == 0) return 0;
+  // In coarsest cells: the blocks that are cut for the finest ones, and as far as the solver looks ahead on both sides.
+  const auto width = [&](int edge, int interval) { return std::ldexp(edge, 1 - a.levels) + interval + 2; };
+  const double wider = width(block_edge(scene), a.interval) / width(std::max(16, 1 << a.levels), AdaptSpec().interval);
+  return std::min(0.1 * wider * wet_area(scene), scene.terrain.total_length() * scene.terrain.width);
+}
+
 double estimated_cells(const Scene& scene) {
   const ContinuumSpec& c = scene.continuum;
   const double length = scene.terrain.total_length(), width = scene.terrain.width;
@@ -53,8 +62,7 @@ double estimated_cells(const Scene& scene) {
       cells += 0.75 * area / cell * std::ldexp(1, 2 * level);
     }
   }
-  if (c.adapt.levels > 0) cells += followed_share * wet_area(scene) / cell * (std::ldexp(1, 2 * c.adapt.levels) - 1);
-  return cells;
+  return cells + followed_area(scene) / cell * (std::ldexp(1, 2 * c.adapt.levels) - 1);
 }
 
 }  // namespace couloir

@@ -20,11 +20,13 @@ RefineRectangle within_domain(const Scene&, const RefineRectangle&);
 // Cells along a block's edge: the scene's, or 32, with refinement 16 or as many as the levels need.
 int block_edge(const Scene&);
 
-// How much of the wet area the finest cells cover where the mesh follows the flow; seen are 0.03 to 0.06.
-inline constexpr double followed_share = 0.1;
+// [m2] that the finest cells cover where the mesh follows the flow, about: a tenth of the wet area (seen are 0.03 to 0.06; all of
+// it where the flow is few blocks across) with the usual blocks and adapt.interval, more as what asks is refined wider: by half a
+// coarsest cell a step on each side, and by whole blocks. At most the domain.
+double followed_area(const Scene&);
 
 // Cells of all levels, about: those of the blocks that the rectangles meet; where the mesh follows the flow, the finest on
-// their share of the area that is wet.
+// followed_area().
 double estimated_cells(const Scene&);
 
 // [m2] that holds material on the mean, roughly: six footprints of the release; with an inflow the whole domain.

@@ -2,13 +2,13 @@
 
 #include <tuple>
 
+#include "continuum/mesh/most_levels.hpp"
 #include "coupling/scene/schema_builder.hpp"
 
 namespace couloir::schema_builder {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr int most_levels = 6;
 
 template <class Member>
 auto at(Member member) {
@@ -109,11 +109,10 @@ void add_adaptive(Keys& k) {
 void add_continuum(Keys& k) {
   add_solver(k);
   k.add(
-      integer(
-          "continuum.block",
-          "cells along the edge of a block of scheme central_upwind; with refinement a multiple of 2^levels; none: 32, with "
-          "refinement 16 or what the levels need",
-          at(&ContinuumSpec::block))
+      integer("continuum.block",
+              "cells along the edge of a block of scheme central_upwind; with refinement a multiple of 2^levels; none: 32, with "
+              "refinement 16 or what the levels need",
+              at(&ContinuumSpec::block))
           .within(4, 256)
           .optional());
   add_boxes(k);

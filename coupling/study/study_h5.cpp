@@ -9,23 +9,16 @@
 namespace couloir {
 namespace {
 
-void write(const std::string& path, const Study& study, const std::string& status, const std::vector<StudyTableColumn>& columns) {
+void write(const std::string& path, const Study& study, const std::string& status, const std::vector<StudyResult>& results) {
+  const std::vector<StudyTableColumn> columns = study_table(study, results);
   const h5::Handle file = h5::create_file(path);
   std::string names;
   for (const StudyTableColumn& c : columns) names += (names.empty() ? "" : "\n") + c.name;
-  const Provenance& made = provenance();
-  const std::pair<const char*, std::string> texts[] = {{"format", "couloir study"},
-                                                       {"couloir_version", made.version},
-                                                       {"git_revision", made.revision},
-                                                       {"cpu", made.cpu},
-                                                       {"instruction_set", made.instruction_set},
-                                                       {"name", study.name},
-                                                       {"title", study.title},
-                                                       {"study", study.text},
-                                                       {"status", status},
-                                                       {"columns", names}};
-  for (const auto& [name, value] : texts) h5::put_attribute(file, name, value);
+  h5::put_attributes(file, provenance_attributes("couloir study"));
+  h5::put_attributes(
+      file, {{"name", study.name}, {"title", study.title}, {"study", study.text}, {"status", status}, {"columns", names}});
   h5::put_attribute(file, "format_version", std::int64_t{1});
+  h5::put_attribute(file, "total_cpu", total_cpu(results));  // [s]
   const h5::Handle rows = h5::create_group(file, "rows");
   for (const StudyTableColumn& c : columns) {
     const h5::Meaning meaning{c.text ? "" : c.unit, c.description};
@@ -46,10 +39,10 @@ void write(const std::string& path, const Study& study, const std::string& statu
 }  // namespace
 
 void write_study_h5(const std::string& path, const Study& study, const std::string& status,
-                    const std::vector<StudyTableColumn>& columns) {
+                    const std::vector<StudyResult>& results) {
   const std::string beside = path + ".tmp";
   try {
-    write(beside, study, status, columns);
+    write(beside, study, status, results);
   } catch (...) {
     std::remove(beside.c_str());
     throw;

@@ -32,7 +32,7 @@ StudyResult result_of(const StudyRow& row, RunPool& pool) {
     ++out.runs;
     out.seconds += run.seconds;
     if (!run.failure.empty()) continue;
-    out.cpu += summary_value(run.summary, "time.cpu", row.place);
+    out.cpu += out.cpu_of[run.folder] = summary_value(run.summary, "time.cpu", row.place);
     out.wall += summary_value(run.summary, "time.wall", row.place);
     out.cell_updates += summary_value(run.summary, "continuum.cell_updates", row.place);
     out.particle_steps += summary_value(run.summary, "grains.particle_steps", row.place);
@@ -138,6 +138,14 @@ std::vector<StudyResult> run_study(const Study& study, RunPool& pool, const Stud
       });
   add_replicates(study, results);
   return results;
+}
+
+double total_cpu(const std::vector<StudyResult>& results) {
+  std::map<std::string, double> once;
+  for (const StudyResult& r : results) once.insert(r.cpu_of.begin(), r.cpu_of.end());
+  double sum = 0;
+  for (const auto& [folder, cpu] : once) sum += cpu;
+  return sum;
 }
 
 void add_replicates(const Study& study, std::vector<StudyResult>& results) {

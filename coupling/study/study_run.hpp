@@ -2,6 +2,7 @@
 // Makes the runs of a study, as many at a time as jobs allow, and gathers what its table shows.
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,9 @@ struct StudyResult {
   int runs = 0;                                                          // made for it, or found done
   double cpu = 0, wall = 0;                                              // [s] of all these, when they were made
   double cell_updates = 0, particle_steps = 0;
-  std::string run, hash, command;  // of a search: at its critical value
-  double seconds = 0;              // that it took now
+  std::string run, hash, command;        // of a search: at its critical value
+  double seconds = 0;                    // that it took now
+  std::map<std::string, double> cpu_of;  // [s] of these, by folder
 };
 const char* to_string(StudyResult::Status);
 
@@ -39,6 +41,9 @@ struct StudySettings {
 
 // As the study's rows. A run that fails is a row that failed; the others go on.
 std::vector<StudyResult> run_study(const Study&, RunPool&, const StudySettings&);
+
+// [s] of all runs, each once, whichever rows share it.
+double total_cpu(const std::vector<StudyResult>&);
 
 // Mean and scatter (the standard deviation of a sample, n - 1; NaN for less than two) over the done rows of each group.
 void add_replicates(const Study&, std::vector<StudyResult>&);

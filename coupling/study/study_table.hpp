@@ -3,7 +3,8 @@
 //
 //   study.csv   a header "name [unit]", then the rows; empty: no value
 //   study.h5    /rows/<name>, one dataset a column, with unit, description, role and label; NaN: no value
-//               attributes: format, title, study (the file's text), columns (their names in order), revision, status, ...
+//               attributes: format, title, study (the file's text), columns (their names in order), revision, status, total_cpu
+//               (of all runs, each once) ...
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -28,6 +29,6 @@ std::vector<StudyTableColumn> study_table(const Study&, const std::vector<StudyR
 std::string study_csv(const std::vector<StudyTableColumn>&);
 nlohmann::ordered_json study_json(const std::vector<StudyTableColumn>&);  // a list of rows, by the columns' names
 // Under its final name or not at all. Throws RecordError.
-void write_study_h5(const std::string& path, const Study&, const std::string& status, const std::vector<StudyTableColumn>&);
+void write_study_h5(const std::string& path, const Study&, const std::string& status, const std::vector<StudyResult>&);
 
 }  // namespace couloir

@@ -9,26 +9,11 @@ namespace couloir::test {
 // The heap that slides over the bump of heap_on_bump(), with a patch over a part of both.
 inline NestedNoc nested_heap(int threads, int levels, double mirror = 1, Limiter limiter = Limiter::minmod,
                              std::array<Side, 4> s4 = sides(Side::Kind::outflow, Side::Kind::wall)) {
-  SolverSettings s;
-  s.grid = {60, 40, 1.0 / 64, 1.0 / 64, 0, -20.0 / 64};
-  s.closure = quartz();
-  s.sides = s4;
-  s.threads = threads;
-  s.limiter = limiter;
+  const HeapOnBump heap{{60, 40, 1.0 / 64, 1.0 / 64, 0, -20.0 / 64}, 0.55, 0.09, 0.2, 0.2, mirror};
+  SolverSettings s = heap.settings(threads, s4, limiter);
   const double y = mirror > 0 ? -0.1 : -0.2;
   s.refinement.boxes.push_back({0.4, 0.65, y, y + 0.3, levels, 0});
-  NocBed bed;
-  bed.obstacles.push_back([mirror](double x, double y) {
-    const double a = (x - 0.55) / 0.09, b = (mirror * y - 0.05) / 0.15;
-    return std::max(0.0, 0.05 * (1 - a * a - b * b));
-  });
-  NestedNoc solver(s, ReferenceSurface::chute(degrees(35), 0.6, 0.2, 0.2), bed);
-  solver.set([&](double x, double y) {
-    const double r2 = ((x - 0.3) * (x - 0.3) + (mirror * y - 0.03) * (mirror * y - 0.03)) / 0.04;
-    const double h = r2 < 1 ? 0.12 * (1 - r2) : 0.0;
-    return FlowState{h, 1.5 * h, 0.1 * mirror * h};
-  });
-  return solver;
+  return heap.solver<NestedNoc>(s);
 }
 
 // All states of all grids.

@@ -62,12 +62,8 @@ TEST(Limits, AZoneThatCutsAnObstacleOnTheMeshsLinesIsRefused) {
 }
 
 TEST(Limits, BlocksBetweenPeriodicSidesAreWhole) {
-  Overrides changes{{"mode", "continuum"},
-                    {"boundaries.left", "periodic"},
-                    {"boundaries.right", "periodic"},
-                    {"terrain.width", "720 mm"},
-                    {"continuum.adapt.levels", "2"},
-                    {"continuum.block", "20"}};
+  Overrides changes{{"mode", "continuum"},       {"boundaries.left", "periodic"}, {"boundaries.right", "periodic"},
+                    {"terrain.width", "720 mm"}, {"continuum.adapt.levels", "2"}, {"continuum.block", "20"}};
   const std::string why = refusal(changes);
   EXPECT_TRUE(holds(why, "144 cells between periodic sides") && holds(why, "continuum.block: 16 would do")) << why;
   changes.back().second = "16";
@@ -83,6 +79,14 @@ TEST(Limits, MoreMemoryThanTheMachineHasIsRefusedByTheRunAndWarnedOfByThePlan) {
   const Scene s = experiment("chiou_wall");
   Plan plan = make_plan(s);
   EXPECT_NO_THROW(check_memory(s, plan));
+  plan.memory = 0.4 * machine_memory();
+  EXPECT_NO_THROW(check_memory(s, plan, 2));
+  try {
+    check_memory(s, plan, 3);
+    FAIL() << "each rank holds all";
+  } catch (const SceneError& error) {
+    EXPECT_TRUE(holds(error.what(), "on each of 3 ranks") && holds(error.what(), "or fewer ranks")) << error.what();
+  }
   plan.memory = 2 * machine_memory();
   EXPECT_THROW(check_memory(s, plan), SceneError);
   EXPECT_GT(machine_memory(), 1e8);

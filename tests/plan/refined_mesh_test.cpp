@@ -15,7 +15,9 @@
 namespace couloir {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 const Overrides about_the_wall{
     {"mode", "continuum"},
@@ -133,8 +135,40 @@ TEST(RefinedMesh, PlanSaysCellsByLevelAndWhatTheyCost) {
   EXPECT_EQ(plan_json(uniform)["continuum"]["levels"].size(), 0u);
 
   const Plan adaptive = make_plan(experiment("chiou_wall", {{"mode", "continuum"}, {"continuum.adapt.levels", "2"}}));
-  EXPECT_THAT(plan_text(adaptive), HasSubstr("more where the flow asks, down to 1.25 mm\n"));
+  EXPECT_THAT(plan_text(adaptive), HasSubstr("more where the flow asks, down to 1.25 mm: about " +
+                                             std::to_string(adaptive.followed_cells) + " cells in all\n"));
   EXPECT_GT(adaptive.time_continuum, uniform.time_continuum);
+
+  // What looks ahead further is refined wider, to no more than all cells.
+  const auto looking = [](const char* interval) {
+    return make_plan(experiment(
+        "chiou_wall", {{"mode", "continuum"}, {"continuum.adapt.levels", "2"}, {"continuum.adapt.interval", interval}}));
+  };
+  const Plan usual = looking("8"), seldom = looking("40"), never = looking("10000");
+  EXPECT_EQ(usual.memory, adaptive.memory);
+  EXPECT_GT(seldom.memory, 1.2 * usual.memory);
+  EXPECT_GT(seldom.time_continuum, 1.2 * usual.time_continuum);
+  EXPECT_EQ(never.followed_cells, 16 * never.cells);
+}
+
+TEST(RefinedMesh, PlanLeavesOutASizeThatNoCellHas) {
+  const Plan plan = make_plan(experiment(
+      "chiou_wall", {{"mode", "continuum"}, {"continuum.refine", "[{x: [0, 1.915 m], y: [-0.4 m, 0.4 m], levels: 1}]"}}));
+  EXPECT_EQ(plan.levels[0].cells, 0);
+  EXPECT_THAT(plan_text(plan), AllOf(HasSubstr("level 1: "), Not(HasSubstr("level 0"))));
+}
+
+TEST(RefinedMesh, PlanWarnsWhereNothingCanAskForFinerCells) {
+  const auto warned = [](const Overrides& more) {
+    const Plan plan = make_plan(experiment("chiou_wall", with({{"mode", "continuum"}}, more)));
+    return plan_text(plan).find("continuum.adapt asks for finer cells by no sign") != std::string::npos;
+  };
+  EXPECT_TRUE(warned({{"continuum.adapt", "{levels: 2, front: off, gradient: 0}"}})) << "the zone's rim has no say here";
+  EXPECT_FALSE(warned({{"continuum.adapt", "{levels: 2, front: off, gradient: 0}"}, {"mode", "coupled"}}));
+  EXPECT_TRUE(warned({{"continuum.adapt", "{levels: 2, front: off, gradient: 0, zone: off}"}, {"mode", "coupled"}}));
+  EXPECT_FALSE(warned({{"continuum.adapt", "{levels: 2, front: off, gradient: 0, obstacle: 50 mm}"}}));
+  EXPECT_FALSE(warned({{"continuum.adapt", "{levels: 2}"}}));
+  EXPECT_FALSE(warned({}));
 }
 
 TEST(RefinedMesh, EffectSaysWhy) {

@@ -1,5 +1,6 @@
 #include "coupling/records/records.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -108,8 +109,11 @@ TEST(Records, NameWhatMadeThem) {
   const TemporaryFolder folder;
   record(SyntheticRun(Mode::coupled), folder / "a");
   const RecordsReader reader(folder / "a/records.h5");
-  for (const char* name : {"couloir_version", "git_revision", "compiler", "compiler_flags", "cpu", "instruction_set", "libraries", "start_time"})
+  for (const char* name :
+       {"couloir_version", "git_revision", "compiler", "compiler_flags", "cpu", "instruction_set", "libraries", "start_time"})
     EXPECT_NE(reader.text(name), "") << name;
+  for (const char* library : {"HDF5 ", "Eigen ", "p4est ", "MPI "})
+    EXPECT_THAT(reader.text("libraries"), ::testing::HasSubstr(library));
   EXPECT_EQ(reader.text("scene"), "title: Heap onto a wall\n# complete\n");
   EXPECT_EQ(reader.text("status"), "done");
   EXPECT_EQ(reader.text("engine"), "LIGGGHTS 3.8.0");

@@ -81,14 +81,14 @@ TEST_F(Report, OfARefinedMesh) {
   expect_picture(folder / "both/depth.png");
 }
 
-// What the pictures draw: coarser cells under finer ones, in the box, no finer than asked.
+// What the pictures draw: coarser cells under finer ones, in the box, no finer than asked; the outermost cells whole.
 TEST_F(Report, DrawsTheFinestCells) {
   SyntheticRun run(Mode::continuum);
   run.refined = true;
   record(run, folder / "a");
   const std::string program = std::string(kPython) +
                               " -c \"import sys; sys.path.insert(0, '" COULOIR_SOURCE_DIR
-                              "/app/report'); import numpy as np; from read import Run\n"
+                              "/app/report'); import numpy as np; from figures import extent; from read import Run\n"
                               "run = Run('" +
                               (folder / "a") +
                               "'); frame = run.frames[3]; blocks = list(frame.blocks())\n"
@@ -102,7 +102,10 @@ TEST_F(Report, DrawsTheFinestCells) {
                               "assert abs(x[1] - x[0] - 0.005) < 1e-12\n"
                               "assert abs(at(0.5025, -0.0475) - blocks[2][3][:2, :2].mean()) < 1e-15\n"
                               "x, y, h = run.finest_depth(frame, (-1, 9, -9, 9))\n"
-                              "assert h.shape == (200, 600) and abs(x[0] - 0.00125) < 1e-9\"";
+                              "assert h.shape == (200, 600) and abs(x[0] - 0.00125) < 1e-9\n"
+                              "x, y, _ = run.grid; run.obstacles = {}\n"
+                              "run.depth = lambda frame: (x, y, np.full((len(y), len(x)), 0.01))\n"
+                              "assert np.allclose(extent(run, run.frames), (0, 1.5, -0.25, 0.25)), extent(run, run.frames)\"";
   EXPECT_EQ(std::system(program.c_str()), 0);
 }
 

@@ -74,6 +74,47 @@ TEST(AdaptiveRefinement, RefinesTheFrontsOfADamBreakAlone) {
   }
 }
 
+// A film whose front is about to leave one side: the cells behind the other one wait for it, finest.
+TEST(AdaptiveRefinement, RefinesWhereAFrontWillComeInOverAPeriodicSide) {
+  const auto levels_beyond = [](Side::Kind kind, bool along) {
+    SolverSettings set = adaptive(along ? basin(64, 16, 0.0125) : basin(16, 64, 0.0125), 2);
+    set.block = 8;
+    for (int side : {0, 1}) set.sides[along ? side : 2 + side].kind = kind;
+    Solver s(set, ReferenceSurface::flat(set.grid.nx * set.grid.dx), {});
+    s.set([&](double x, double y) {
+      const double at = along ? x : y + 0.4;
+      const double h = at > 0.4 && at < 0.79 ? 0.02 : 0.0;
+      return along ? FlowState{h, h, 0} : FlowState{h, 0, h};
+    });
+    int most = 0;
+    for (const BlockPlace& b : s.blocks()) most = std::max(most, (along ? b.i0 : b.j0) == 0 ? b.level : 0);
+    return most;
+  };
+  for (bool along : {true, false}) {
+    EXPECT_EQ(levels_beyond(Side::Kind::periodic, along), 2) << along;
+    EXPECT_EQ(levels_beyond(Side::Kind::outflow, along), 0) << along;
+  }
+}
+
+// The flow nears an obstacle from the far side of the domain.
+TEST(AdaptiveRefinement, AnObstacleOverAPeriodicSideIsNear) {
+  SolverSettings set = adaptive(basin(64, 16, 0.0125), 1);
+  set.block = 8;
+  set.sides[0].kind = set.sides[1].kind = Side::Kind::periodic;
+  set.refinement.adaptive.front = false;
+  set.refinement.adaptive.gradient = 0;
+  set.refinement.adaptive.obstacle = 0.06;
+  Solver s(set, ReferenceSurface::flat(0.8), {{}, {{"block", 0.025, 0.075, -0.025, 0.025, 0.05}}});
+  s.set([](double x, double) { return FlowState{x > 0.7 ? 0.02 : 0.0, 0, 0}; });
+  int low = 0, high = 0;
+  for (const BlockPlace& b : s.blocks()) {
+    if (b.i0 == 0) low = std::max(low, b.level);
+    if ((b.i0 + b.nx) == 64 << b.level) high = std::max(high, b.level);
+  }
+  EXPECT_EQ(low, 1) << "about the obstacle";
+  EXPECT_EQ(high, 1) << "its surroundings reach over the side";
+}
+
 TEST(AdaptiveRefinement, CheckpointContinuesToTheSameBits) {
   Solver whole = heap_on_chute(adaptive(chute(), 2));
   whole.advance_to(0.2);

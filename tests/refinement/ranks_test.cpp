@@ -37,6 +37,27 @@ void expect_same(const SolverSettings& alone, const SolverSettings& together, do
   EXPECT_EQ(all.checkpoint(), one.checkpoint());
 }
 
+// As where there is more than MPI can count.
+TEST(Ranks, TellInPiecesWhatTheyTellAtOnce) {
+  const Ranks ranks = Ranks::of_program();
+  const int mine = ranks.mine(), n = ranks.count();
+  std::vector<std::uint8_t> own;
+  for (int k = 0; k < 23 * mine; ++k) own.push_back(static_cast<std::uint8_t>(31 * k + mine));  // the first has none
+  const std::vector<std::uint8_t> all = ranks.gather(own);
+  EXPECT_EQ(all.size(), 23u * n * (n - 1) / 2);
+  EXPECT_EQ(ranks.gather(own, 7), all);
+  std::vector<std::vector<double>> out(n), in(n);
+  for (int r = 0; r < n; ++r) {
+    if (r == mine) continue;
+    for (int k = 0; k < 10 + r; ++k) out[r].push_back(100 * mine + k);
+    in[r].resize(10 + mine);
+  }
+  ranks.exchange(out, in, 3);
+  for (int r = 0; r < n; ++r) {
+    for (std::size_t k = 0; k < in[r].size(); ++k) EXPECT_EQ(in[r][k], 100 * r + double(k));
+  }
+}
+
 TEST(Ranks, UniformCells) {
   expect_same(chute(), together(), 0.4);
 }

@@ -128,7 +128,7 @@ TEST_F(Refine, RefusesBoxesThatAreNowhere) {
   EXPECT_EQ(error(with_refine("{x: [1.5, 2.5], y: [0, 0.1]}")),
             "scene.yaml:10: continuum.refine[0] covers x from 1.5 m to 2.5 m and y from 0 m to 100 mm, which reaches out of the "
             "domain (x "
-            "from 0 to 2 m, y from -250 mm to 250 mm)");
+            "from 0 to 2 m, y from -250 mm to 250 mm); give x and y within it");
   EXPECT_EQ(error(with_refine("{around: wall, up: 10, down: 10, left: 10, right: 10}")), "") << "about an obstacle it is cut off";
 }
 

@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import os
 import pathlib
 import signal
 import subprocess
@@ -119,7 +120,7 @@ tables:
         plan = json.loads(self.study("slab", "--dry-run", "--json").stdout)
         self.assertEqual([r["set"] for r in plan["rows"]], [{"terrain.angle": "25 deg"}, {"terrain.angle": "30 deg"}])
         self.assertTrue(all(r["planned"] > 0 and not r["done"] for r in plan["rows"]))
-        self.assertFalse((self.dir / "runs/study-slab").exists())
+        self.assertFalse((self.dir / "runs").exists(), "a dry run makes nothing")
         out = json.loads(self.study("slab", "--json", "--out", "here").stdout)
         self.assertEqual(out["status"], "done")
         self.assertEqual([str(r[SPEED]) for r in out["rows"]], [r[f"{SPEED} [m/s]"] for r in self.rows("here")])
@@ -168,6 +169,28 @@ class Runs(StudyTest):
         self.study("slab")
         self.assertEqual({name: self.runs()[name] for name in before}, before)
         self.assertEqual(len(self.runs()), 3)
+
+    def test_rows_that_share_a_run_count_its_cost_once(self):
+        columns = "columns: [{set: terrain.angle, values: [25 deg, 30 deg]}]"
+        self.write(f"quantities: [{SPEED}]\ntables: [{{name: a, {columns}}}, {{name: b, {columns}}}]\n")
+        self.study("slab")
+        rows = self.rows()
+        self.assertEqual((len(rows), len(self.runs())), (4, 2))
+        with h5py.File(self.dir / "runs/study-slab/study.h5") as file:
+            self.assertAlmostEqual(file.attrs["total_cpu"], sum(float(r["cpu [s]"]) for r in rows) / 2, delta=1e-9)
+
+    def test_what_dead_processes_left_is_removed(self):
+        dead = subprocess.Popen(["true"])
+        dead.wait()
+        name = "slab-0123456789abcdef.part-"
+        for process in (dead.pid, os.getpid()):
+            (self.dir / "runs/check" / f"{name}{process}").mkdir(parents=True)
+            (self.dir / "runs/check" / f"{name}{process}.log").write_text("")
+        (self.dir / "runs/check" / f"notes.part-{dead.pid}").write_text("")
+        self.write(f"quantities: [{SPEED}]\ntables: [{{name: t, columns: [{{set: terrain.angle, values: [25 deg]}}]}}]\n")
+        self.study("slab")
+        left = sorted(n for n in self.runs() if ".part" in n)
+        self.assertEqual(left, [f"notes.part-{dead.pid}", f"{name}{os.getpid()}", f"{name}{os.getpid()}.log"])
 
     def test_a_run_that_fails_is_a_row_and_the_others_go_on(self):
         (self.dir / "small.yaml").write_text((SOURCE / "tests/scenes/small_wall.yaml").read_text())

@@ -92,6 +92,49 @@ class CommandLine(unittest.TestCase):
     def test_an_unknown_verb(self):
         self.expect(couloir("fly"), 2, "no verb 'fly'", "check")
 
+    def test_words_that_a_verb_does_not_take(self):
+        for words, what, remedy in ((["run"], "SCENE is required", "couloir run --help"),
+                                    (["run", SMALL, "--threads", "x"], "--threads", "couloir run --help"),
+                                    (["check", "--nope", SMALL], "--nope", "couloir check --help"),
+                                    (["--nope"], "required", "couloir --help")):
+            done = couloir(*words)
+            self.expect(done, 2, what, f"; {remedy} lists ")
+            self.assertEqual(done.stderr.count("\n"), 1)
+
+    def ranks(self, *words):
+        """Two ranks, as the front door starts them."""
+        environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        together = ["mpirun", "-q", "-n", "2", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "--mca",
+                    "btl_vader_single_copy_mechanism", "none", COULOIR, *map(str, words), "--ranks", "2"]
+        run = subprocess.Popen(together, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment, start_new_session=True)
+        self.addCleanup(lambda: run.poll() is None and os.killpg(run.pid, signal.SIGKILL))
+        return run
+
+    def test_several_ranks_tell_once(self):
+        (self.dir / "run").mkdir()
+        (self.dir / "run" / "precious").write_text("")
+        out = ["--mode", "continuum", "--out", self.dir / "run"]
+        for words in (["run", self.dir / "nothing.yaml"], ["run", SMALL, "--threads", "x"], ["run", SMALL, *out],
+                      ["run", SMALL, *out, "--set", "continuum.scheme=noc", "--set", "obstacles.wall.method=elevation"]):
+            run = self.ranks(*words)
+            _, errors = run.communicate(timeout=120)
+            self.assertEqual(run.returncode, 2, errors)
+            self.assertEqual(errors.count("error in the input"), 1, errors)
+
+    def test_interrupted_ranks_save_their_state(self):
+        """SIGUSR1 is what the front door makes of Ctrl-C: mpirun hands it on to the ranks."""
+        run = self.ranks("run", SMALL, "--mode", "continuum", "--set", "continuum.cell=1 mm", "--out", self.dir / "run", "--no-report")
+        forces = self.dir / "run" / "forces.csv"
+        deadline = time.time() + 120
+        while time.time() < deadline and not (forces.exists() and forces.stat().st_size > 200):
+            time.sleep(0.02)
+        run.send_signal(signal.SIGUSR1)
+        _, errors = run.communicate(timeout=120)
+        self.assertEqual(run.returncode, 3, errors)
+        self.assertEqual(errors.count("saved in"), 1, errors)
+        self.assertEqual(json.loads((self.dir / "run/summary.json").read_text())["status"], "interrupted")
+        self.assertGreater((self.dir / "run/engine/continuum.state").stat().st_size, 100000)
+
     def test_an_instruction_set_that_is_none(self):
         for word in ("avx1024", "AVX2"):
             self.expect(couloir("plan", SMALL, env={**os.environ, "COULOIR_ISA": word}), 2, word, "baseline, avx2 or avx512")

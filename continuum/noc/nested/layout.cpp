@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+
+#include "continuum/mesh/most_levels.hpp"
 
 namespace couloir::noc {
 namespace {
 
-constexpr int most_levels = 12;
 constexpr int usual_margin = 5;  // cells of the parent
 
 struct Rectangle {
@@ -16,13 +18,14 @@ struct Rectangle {
 };
 
 void check(const Grid& g, const RefineBox& b) {
-  const auto require = [](bool good, const char* sentence) {
+  const auto require = [](bool good, const std::string& sentence) {
     if (!good) throw std::invalid_argument(sentence);
   };
   require(b.x1 > b.x0 && b.y1 > b.y0, "A refined box is empty; give it a length and a width.");
   require(b.x1 > g.x0 && b.x0 < g.x0 + g.nx * g.dx && b.y1 > g.y0 && b.y0 < g.y0 + g.ny * g.dy,
           "A refined box lies outside of the domain; move it.");
-  require(b.levels >= 1 && b.levels <= most_levels, "A refined box needs 1 to 12 levels; correct continuum.refine.");
+  require(b.levels >= 1 && b.levels <= most_levels,
+          "A refined box needs 1 to " + std::to_string(most_levels) + " levels; correct continuum.refine.");
   require(b.margin >= 0, "The margin of a refined box must not be negative; correct continuum.refine.");
 }
 

@@ -21,7 +21,7 @@ struct PatchPlace {
 // Parents before their children. Boxes are enlarged to whole cells of the parent; patches of one level that overlap or touch
 // become their bounding box; a patch that comes nearer to a side of the domain than `rim` cells of its parent reaches the side,
 // and one that reaches a periodic side spans the domain. A parent is at least `rim` + 1 of its cells larger than its child.
-// Throws std::invalid_argument where a box is empty, lies outside of the domain, or has no levels or more than twelve.
+// Throws std::invalid_argument where a box is empty, lies outside of the domain, or has no levels or more than most_levels.
 std::vector<PatchPlace> lay_patches(const Grid& base, const Refinement&, bool periodic_x, bool periodic_y, int rim);
 
 }  // namespace couloir::noc
