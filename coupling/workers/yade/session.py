@@ -97,7 +97,7 @@ class Session:
             return impulse
         spheres = [utils.sphere(Vector3(*g.position), g.radius, material=0, mask=GRAIN_MASK) for g in grains]
         few = len(spheres) < 0.3 * len(self.book)  # else a sort from scratch is as good
-        ids = self._stepper.sort_in(spheres, self._free_bodies()) if few else O.bodies.append(spheres)
+        ids = self._stepper.sort_in(spheres) if few else O.bodies.append(spheres)
         rafts = set()
         for g, id, sphere in zip(grains, ids, spheres):
             state = sphere.state
@@ -118,11 +118,6 @@ class Session:
             raft.settle_members()
         self.book.add([g.id for g in grains], ids, [g.radius for g in grains])
         return impulse
-
-    def _free_bodies(self):
-        """Bodies of grains that were removed."""
-        first = sum(map(len, self.surface_bodies))
-        return np.setdiff1d(np.arange(first, len(O.bodies)), self.book.bodies)
 
     def _watch_strips(self, steps):
         if not self.drive.has_strips():

@@ -36,13 +36,10 @@ class Stepper:
     def _integrator(self):
         return NewtonIntegrator(damping=0, gravity=self._gravity, warnNoForceReset=False)
 
-    def sort_in(self, bodies, free):
-        """Puts bodies into free ids first, then appends them a few at a time: more than a hundred that are new make YADE sort all from
-        scratch, at ten times the cost."""
-        ids = [O.bodies.insertAtId(body, int(id)) for body, id in zip(bodies, free)]
-        if ids:
-            self._collider()  # YADE does not see by itself that an id has a body again
-        for first in range(len(ids), len(bodies), MOST_AT_ONCE):
+    def sort_in(self, bodies):
+        """Appends bodies a few at a time: more than a hundred that are new make YADE sort all from scratch, at ten times the cost."""
+        ids = []
+        for first in range(0, len(bodies), MOST_AT_ONCE):
             ids += O.bodies.append(bodies[first:first + MOST_AT_ONCE])
             self._collider()
         return ids
