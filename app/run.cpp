@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/replicates.hpp"
 #include "app/run_report.hpp"
 #include "app/scene_options.hpp"
 #include "app/stop_signal.hpp"
@@ -21,6 +22,7 @@
 #include "coupling/records/records.hpp"
 #include "coupling/records/run_folder.hpp"
 #include "coupling/records/summary.hpp"
+#include "coupling/records/text_file.hpp"
 #include "coupling/records/xdmf.hpp"
 #include "coupling/scene/reader.hpp"
 #include "coupling/scene/scene_error.hpp"
@@ -44,6 +46,7 @@ void print_result(const RunFolder& folder, const nlohmann::json& summary, const 
   for (const auto& [name, o] : summary.at("obstacles").items())
     fmt::print("{}: peak {:.4g} N, mean {:.4g} N, impulse {:.4g} N s\n", name, o.value("force_peak", 0.0),
                o.value("force_mean", 0.0), o.value("impulse", 0.0));
+  if (summary.contains("replicates")) fmt::print("{}", replicates_text(summary.at("replicates")));
   fmt::print("mass: relative error {:.1e}\n", summary.at("mass").value("relative_error", 0.0));
   fmt::print("run: {}\n", folder.path().string());
   if (!page.empty()) fmt::print("report: {}\n", page);
@@ -122,17 +125,22 @@ int run(const RunVerb& verb) {
     fmt::print(stderr, "couloir: interrupted; what was computed is in {}, the state is saved in {}\n", folder.path().string(),
                work);
 
+  int exit_code = end.status == "done" ? 0 : 3;
+  if (exit_code == 0 && scene.grains.replicates > 1 && scene.mode != Mode::continuum)
+    exit_code = run_replicates(folder, scene, verb.json);
+
+  const auto result = nlohmann::json::parse(read_text(folder.file("summary.json")));
   std::string page;
   if (!verb.no_report) page = draw_report({folder.path().string()}, "");
   if (verb.json) {
-    auto json = nlohmann::json::parse(summary.text());
+    auto json = result;
     json["run"] = folder.path().string();
     json["report"] = page;
     fmt::print("{}\n", json.dump(2));
   } else {
-    print_result(folder, nlohmann::json::parse(summary.text()), page);
+    print_result(folder, result, page);
   }
-  return end.status == "done" ? 0 : 3;
+  return exit_code;
 }
 
 }  // namespace

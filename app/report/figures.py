@@ -206,8 +206,18 @@ def side_view(run, path, count=4):
     return style.save(figure, path)
 
 
+def packing_means(run, name):
+    """The 15 ms mean of each packing's force [N] at this run's times: an array (packings, times)."""
+    times = run.forces[name]["time"]
+    means = []
+    for one in run.packings:
+        f = one.forces[name]
+        means.append(np.interp(times, f["time"], running_mean(f["time"], one.windows["length"], f["fx"])))
+    return np.array(means)
+
+
 def forces(run, path):
-    """Raw window means, their 15 ms mean, the peak."""
+    """Raw window means, their 15 ms mean, the peak; with several packings the band of their 15 ms means."""
     if not run.forces or not len(run.time):
         return None
     figure, axes = plt.subplots(len(run.forces), 1, figsize=(style.WIDTH, 3.4 * len(run.forces)), sharex=True, squeeze=False,
@@ -215,7 +225,14 @@ def forces(run, path):
     for a, (name, f) in zip(axes.flat, run.forces.items()):
         mean = running_mean(f["time"], run.windows["length"], f["fx"])
         a.plot(f["time"], f["fx"], color=style.SKY, linewidth=0.8, label="mean of a window")
-        a.plot(f["time"], mean, color=style.BLUE, linewidth=2.2, label="mean of 15 ms")
+        if run.packings:
+            every = packing_means(run, name)
+            middle, scatter = every.mean(axis=0), every.std(axis=0, ddof=1)
+            a.fill_between(f["time"], middle - scatter, middle + scatter, color=style.ORANGE, alpha=0.45, linewidth=0, zorder=3,
+                           label=f"mean and scatter of {len(every)} packings")
+            a.plot(f["time"], middle, color=style.ORANGE, linewidth=1.6, zorder=3)
+        label = "mean of 15 ms" + (", first packing" if run.packings else "")
+        a.plot(f["time"], mean, color=style.BLUE, linewidth=2.2, label=label, zorder=4)
         k = int(np.argmax(np.abs(mean)))
         early = f["time"][k] < 0.5 * f["time"][-1]
         if mean[k] != 0:

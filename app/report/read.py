@@ -77,6 +77,12 @@ class Run:
         self._depths = {}
         self.events = list(zip(self.file["events/time"][()], self.file["events/text"].asstr()[()]))
 
+    @cached_property
+    def packings(self):
+        """All runs of the scene with a packing each (grains.replicates), this one first; empty where it is the only one."""
+        folders = self.summary.get("replicates", {}).get("runs", [])
+        return [self] + [Run(self.path / folder) for folder in folders if folder != "."] if len(folders) > 1 else []
+
     @property
     def name(self):
         return self.path.resolve().name

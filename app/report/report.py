@@ -57,6 +57,18 @@ def key_figures(runs, names):
     return figures_table(names, groups)
 
 
+def packings_table(run):
+    """Mean and scatter of the forces over all packings."""
+    if not run.packings:
+        return ""
+    groups = []
+    for name, figures_of in run.summary["replicates"]["obstacles"].items():
+        rows = [(what, unit, [figures_of[key][column] for column in ("mean", "scatter", "least", "largest")])
+                for what, unit, key in FORCES if key in figures_of]
+        groups.append((f"Force on {name}, along the slope", rows))
+    return figures_table(["mean", "scatter", "least", "largest"], groups)
+
+
 def verdict_of(run):
     """One or two sentences: how it ended, the force, whether the sums close."""
     s = run.summary
@@ -72,6 +84,10 @@ def verdict_of(run):
         else:
             text += (f"Force on {name}: peak <b>{number(o['force_peak'], 3)} N</b> at {o['force_peak_time']:.3f} s, "
                      f"impulse <b>{number(o['impulse'], 3)} N s</b>. ")
+    for name, of in run.summary.get("replicates", {}).get("obstacles", {}).items() if run.packings else []:
+        peak, impulse = of["force_peak"], of["impulse"]
+        text += (f"Over {len(run.packings)} packings: peak {number(peak['mean'], 3)} &plusmn; {number(peak['scatter'], 2)} N, "
+                 f"impulse {number(impulse['mean'], 3)} &plusmn; {number(impulse['scatter'], 2)} N s. ")
     return text + (f"In every window mass closes to {number(s['mass']['relative_error'], 2)} of the released, "
                    f"momentum to {number(s['momentum']['relative_residual'], 2)} of its largest.")
 
@@ -101,6 +117,7 @@ def report_one(run, out):
                                              "Section through the middle of the obstacle: grains within two diameters of it, "
                                              "coloured by speed; line: surface of the flow, in the zone the mean over a cell. "
                                              "Heights along the normal, not exaggerated."))
+    body += section("Packings", packings_table(run))
     body += section("Key figures", key_figures([run], ["value"]) if run.summary else "")
     body += section("Effects", effects_table(run.summary["effects"]) if run.summary.get("effects") else "")
     body += section("Events", events_table(run.events) if run.events else "")

@@ -218,6 +218,7 @@ Plan make_plan(const Scene& scene) {
     plan.time_engine = count * static_cast<double>(plan.engine_steps) / (rate * std::pow(scene.grains.ranks, rank_exponent));
   }
   plan.time = plan.time_continuum + plan.time_engine;
+  if (scene.mode != Mode::continuum) plan.replicates = scene.grains.replicates;
   check_limits(scene, plan);
   warn(plan, scene);
   return plan;

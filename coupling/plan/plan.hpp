@@ -38,7 +38,8 @@ struct Plan {
   std::int64_t engine_steps = 0;
   double memory = 0;                           // [bytes]
   double time_continuum = 0, time_engine = 0;  // [s] of one core at the speeds that plan.cpp states
-  double time = 0;                             // [s] wall, both
+  double time = 0;                             // [s] wall, both; of one packing
+  int replicates = 1;                          // packings
   std::vector<std::string> warnings;           // whole sentences
 };
 

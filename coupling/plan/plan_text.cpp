@@ -66,6 +66,9 @@ std::string plan_text(const Plan& plan) {
   out += fmt::format("cost       about {} (continuum {}, engine {}), {:.0f} MB; within a factor of {}\n", seconds(plan.time),
                      seconds(plan.time_continuum), seconds(plan.time_engine), plan.memory * 1e-6,
                      plan.followed_levels > 0 ? "ten: the mesh follows the flow" : "three");
+  if (plan.replicates > 1)
+    out += fmt::format("           for each of {} packings: {} of one core in all\n", plan.replicates,
+                       seconds(plan.replicates * plan.time));
   for (const bool on : {true, false}) {
     out += on ? "effects\n" : "left out\n";
     for (const Effect& effect : plan.effects) {
@@ -103,6 +106,7 @@ nlohmann::json plan_json(const Plan& plan) {
                   {"velocity", plan.at_obstacle.velocity},
                   {"froude", plan.at_obstacle.froude}};
   json["memory"] = plan.memory;
+  json["replicates"] = plan.replicates;
   json["time"] = {{"continuum", plan.time_continuum}, {"engine", plan.time_engine}, {"total", plan.time}};
   json["effects"] = nlohmann::json::array();
   for (const Effect& effect : plan.effects) {

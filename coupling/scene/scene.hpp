@@ -156,6 +156,7 @@ struct GrainSpec {
   int window = 40;              // engine steps in a coupling window
   double timestep = 0;          // [s] 0: a fixed share of the Rayleigh time
   long seed = 20011;            // packing and radii
+  int replicates = 1;           // runs, each with a packing of its own: seed, seed + 1, ...
   double timeout = 120;         // [s] without an answer from the engine before it counts as dead
 };
 

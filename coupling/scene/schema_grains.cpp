@@ -113,6 +113,12 @@ void add_grains(Keys& k) {
                at(&GrainSpec::timestep))
             .within(0, 1));
   k.add(integer("grains.seed", "of the packing and the radii", at(&GrainSpec::seed)).within(1, 2147483647));
+  k.add(
+      integer(
+          "grains.replicates",
+          "runs, each with a packing of its own (seeds from grains.seed upward): every figure of force gets a mean and a scatter",
+          at(&GrainSpec::replicates))
+          .within(1, 1000));
   k.add(number("grains.timeout", time, "without an answer before the engine counts as dead; of the clock, never scaled",
                at(&GrainSpec::timeout))
             .within(1, 86400)

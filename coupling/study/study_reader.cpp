@@ -198,6 +198,7 @@ class Reader : CaseReader {
       StudyRow& one = study_.rows.emplace_back(row);
       one.seed = seed;
       if (seed != 0) one.set.emplace_back("grains.seed", std::to_string(seed));
+      if (seed != 0 && scene.grains.replicates > 1) one.set.emplace_back("grains.replicates", "1");  // each row is one run
     }
     if (study_.rows.size() > most_rows)
       throw SceneError(fmt::format("{}: these are more than {} rows; leave some values out", cells.place, most_rows));

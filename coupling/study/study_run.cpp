@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 
+#include "coupling/cases/scatter.hpp"
 #include "coupling/cases/share_out.hpp"
 #include "coupling/cases/summary_value.hpp"
 #include "coupling/scene/scene_error.hpp"
@@ -154,16 +155,13 @@ void add_replicates(const Study& study, std::vector<StudyResult>& results) {
     if (results[k].status == StudyResult::Status::done) groups[study.rows[k].group].push_back(k);
   for (const auto& [group, members] : groups) {
     for (std::size_t q = 0; q < study.rows[members.front()].quantities.size(); ++q) {
-      double sum = 0, squares = 0, count = 0;
-      for (const std::size_t k : members)
-        if (const double v = results[k].values[q]; !std::isnan(v)) sum += v, ++count;
-      const double mean = count > 0 ? sum / count : nan;
-      for (const std::size_t k : members)
-        if (const double v = results[k].values[q]; !std::isnan(v)) squares += (v - mean) * (v - mean);
+      std::vector<double> values;
+      for (const std::size_t k : members) values.push_back(results[k].values[q]);
+      const Scatter s = scatter_of(values);
       for (const std::size_t k : members) {
         results[k].replicates = static_cast<int>(members.size());
-        results[k].mean[q] = mean;
-        results[k].scatter[q] = count > 1 ? std::sqrt(squares / (count - 1)) : nan;
+        results[k].mean[q] = s.mean;
+        results[k].scatter[q] = s.scatter;
       }
     }
   }

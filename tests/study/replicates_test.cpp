@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "coupling/cases/packings.hpp"
 #include "coupling/study/study_run.hpp"
 
 namespace couloir {
@@ -47,6 +48,30 @@ TEST(Replicates, AValueThatIsNotThereIsLeftOut) {
   add_replicates(study, r);
   EXPECT_DOUBLE_EQ(r[1].mean[0], 3);
   EXPECT_DOUBLE_EQ(r[1].scatter[0], std::sqrt(2.0));
+}
+
+PackingRun packing(long seed, double peak) {
+  return {seed,
+          "run" + std::to_string(seed),
+          "",
+          {{"obstacles", {{"wall", {{"force_peak", peak}}}}}, {"walls", nlohmann::json::object()}}};
+}
+
+TEST(Packings, EachFigureHasAMeanAndAScatter) {
+  std::vector<PackingRun> runs{packing(1, 2), packing(2, 4), packing(3, 9)};
+  runs.push_back({4, "", "the grain engine failed", nullptr});
+  runs[1].summary["obstacles"]["wall"]["first_contact"] = 0.3;
+  runs[0].summary["obstacles"]["wall"]["first_contact"] = nullptr;  // the flow did not touch it
+  const nlohmann::json all = over_packings(runs);
+  EXPECT_EQ(all["count"], 3);
+  EXPECT_EQ(all["seeds"], nlohmann::json({1, 2, 3}));
+  EXPECT_EQ(all["failed"], nlohmann::json::array({{{"seed", 4}, {"reason", "the grain engine failed"}}}));
+  const nlohmann::json& peak = all["obstacles"]["wall"]["force_peak"];
+  EXPECT_DOUBLE_EQ(peak["mean"], 5);
+  EXPECT_DOUBLE_EQ(peak["scatter"], std::sqrt((9 + 1 + 16) / 2.0));
+  EXPECT_EQ(peak["least"], 2.0);
+  EXPECT_EQ(peak["largest"], 9.0);
+  EXPECT_EQ(all["obstacles"]["wall"]["first_contact"]["count"], 1) << "which only one run has";
 }
 
 }  // namespace

@@ -253,5 +253,34 @@ tables: [{{name: t, set: {{continuum.cell: 1.25 mm}}, columns: [{{set: terrain.a
         self.assertEqual({p: p.stat().st_mtime_ns for p in kept}, kept)
 
 
+
+class Packings(StudyTest):
+    """couloir run with grains.replicates."""
+
+    def run_wall(self, *words, code=0):
+        command = [COULOIR, "run", str(SOURCE / "tests/scenes/small_wall.yaml"), "--set", "grains.replicates=3", "--set",
+                   "duration=0.15 s", "--out", "run", "--json", *words]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=300, cwd=self.dir)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return json.loads((self.dir / "run/summary.json").read_text())
+
+    def test_every_force_has_a_mean_and_a_scatter(self):
+        summary = self.run_wall()
+        all = summary["replicates"]
+        seed = 20011
+        self.assertEqual((all["count"], all["seeds"], all["failed"]), (3, [seed, seed + 1, seed + 2], []))
+        runs = [json.loads((self.dir / "run" / folder / "summary.json").read_text()) for folder in all["runs"]]
+        for figure in ("force_peak", "impulse"):
+            values = [run["obstacles"]["wall"][figure] for run in runs]
+            self.assertEqual(len(set(values)), 3, "each packing has its own bits")
+            self.assertAlmostEqual(all["obstacles"]["wall"][figure]["mean"], np.mean(values), delta=1e-12 * np.mean(values))
+            self.assertAlmostEqual(all["obstacles"]["wall"][figure]["scatter"], np.std(values, ddof=1), delta=1e-9 * np.mean(values))
+        page = (self.dir / "run/report/index.html").read_text()
+        self.assertIn("Over 3 packings: peak", page)
+
+    def test_nothing_in_a_continuum_is_random(self):
+        self.assertNotIn("replicates", self.run_wall("--mode", "continuum", "--no-report"))
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

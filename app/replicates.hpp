@@ -1,0 +1,18 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "coupling/records/run_folder.hpp"
+#include "coupling/scene/scene.hpp"
+
+namespace couloir {
+
+// The further packings of a run that is done (grains.replicates): each a run of its own below <run>/replicates, as many at a time
+// as there are cores. Puts "replicates" (coupling/cases/packings.hpp) into the run's summary.json. Returns the exit code: 0; 3
+// where one failed or the user stopped it, which is told on stderr.
+int run_replicates(const RunFolder&, const Scene&, bool quiet);
+
+// "wall: peak 5.03 +- 0.04 N, ..." for each obstacle of summary.json's "replicates".
+std::string replicates_text(const nlohmann::json& replicates);
+
+}  // namespace couloir
