@@ -26,7 +26,14 @@ class GrainsRun : public ModeRun {
     for (double x = 0; x <= length; x += d)
       for (double y = -half; y <= half; y += d) deepest = std::max(deepest, release_at(scene_, x, y).h);
 
-    side_ = std::make_unique<GrainSide>(scene_, options_, surface_, deepest, [this](const std::string& what) { tell(0, what); });
+    FillBox domain{0, length, -half, half};
+    for (std::size_t q = 0; q < 4; ++q) domain.walls[q] = scene_.sides[q].kind == SideSpec::Kind::wall;
+    // What is left out along walls stands on top.
+    const double least_length = release_volume(scene_) / (deepest * 2 * half);
+    const double along = (domain.walls[0] + domain.walls[1]) * d / least_length;
+    const double across = (domain.walls[2] + domain.walls[3]) * d / (2 * half);
+    const double depth = (1 + along + across) * deepest;
+    side_ = std::make_unique<GrainSide>(scene_, options_, surface_, depth, [this](const std::string& what) { tell(0, what); });
     side_->start(engine_setup_whole(scene_, surface_, side_->table().grain_density(), options_.work_dir));
     clock_ = std::make_unique<Clock>(side_->timestep(), scene_.grains.window, scene_.duration);
     grid_ = solver_settings(scene_).grid;
@@ -35,8 +42,7 @@ class GrainsRun : public ModeRun {
     const double wanted = whole ? 0 : scene_.material.density * release_volume(scene_);
     std::int64_t next_id = 1;
     request_.insert = fill(
-        {0, length, -half, half}, [&](double x, double y) { return release_at(scene_, x, y); }, wanted, side_->table(), surface_,
-        next_id);
+        domain, [&](double x, double y) { return release_at(scene_, x, y); }, wanted, side_->table(), surface_, next_id);
     for (const NewGrain& g : request_.insert) {
       const double m = side_->table().grain_mass(g.radius);
       initial_mass_ += m;

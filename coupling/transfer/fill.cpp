@@ -11,6 +11,11 @@ struct Site {
   FlowState flow;
 };
 
+bool clear_of_walls(const FillBox& box, double x, double y, double r) {
+  const auto [x0, x1, y0, y1] = box.walls;
+  return !(x0 && x - r < box.x0) && !(x1 && x + r > box.x1) && !(y0 && y - r < box.y0) && !(y1 && y + r > box.y1);
+}
+
 // All grains of the tiled packing over the box that any flow depth could take.
 std::vector<Site> sites(const FillBox& box, const std::function<FlowState(double, double)>& flow, const PackingTable& table) {
   const Packing& block = table.packing();
@@ -20,7 +25,7 @@ std::vector<Site> sites(const FillBox& box, const std::function<FlowState(double
     for (int row = 0; row < rows; ++row)
       for (const auto& g : block.grains) {
         const double x = box.x0 + c * block.length + g.x, y = box.y0 + row * block.width + g.y;
-        if (x >= box.x1 || y >= box.y1) continue;
+        if (x >= box.x1 || y >= box.y1 || !clear_of_walls(box, x, y, g.r)) continue;
         const FlowState q = flow(x, y);
         if (q.h > 0) out.push_back({x, y, std::max(g.z, g.r), g.r, table.grain_mass(g.r), q});
       }

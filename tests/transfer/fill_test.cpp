@@ -39,6 +39,26 @@ TEST(Fill, GivesTheFlowsVelocityAlongTheSurface) {
   }
 }
 
+TEST(Fill, LeavesNoGrainInAWall) {
+  const PackingTable table(lattice_packing(), 2500);
+  const auto surface = ReferenceSurface::incline(0.6, 1);
+  const auto layer = [](double, double) { return FlowState{0.04, 0, 0}; };
+  const auto over = [&](const FillBox& box) {
+    std::int64_t next = 1;
+    double mass = 0;
+    int out = 0;
+    for (const NewGrain& g : fill(box, layer, 0.85, table, surface, next)) {
+      const auto [x, y, z] = g.position;
+      out += x - g.radius < box.x0 || x + g.radius > box.x1 || y - g.radius < box.y0 || y + g.radius > box.y1;
+      mass += table.grain_mass(g.radius);
+    }
+    EXPECT_NEAR(mass, 0.85, 2.02 * table.grain_mass(0.0024)) << "to a grain in each of two tiles";
+    return out;
+  };
+  EXPECT_GT(over({0.1, 0.3, -0.05, 0.05}), 0);
+  EXPECT_EQ(over({0.1, 0.3, -0.05, 0.05, {true, true, true, true}}), 0);
+}
+
 TEST(Fill, RefusesAFlowDeeperThanThePacking) {
   const PackingTable table(lattice_packing(), 2500);
   std::int64_t next = 1;
