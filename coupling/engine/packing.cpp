@@ -59,20 +59,6 @@ std::vector<NewGrain> loose_grains(const PackingSpec& s, double& top) {
   return grains;
 }
 
-std::vector<Triangle> bed(double length, double width, double size) {
-  const int nx = std::max(1, static_cast<int>(std::ceil(length / size))),
-            ny = std::max(1, static_cast<int>(std::ceil(width / size)));
-  std::vector<Triangle> triangles;
-  const auto node = [&](int i, int j) { return Vec{length * i / nx, width * j / ny, 0.0}; };
-  for (int i = 0; i < nx; ++i) {
-    for (int j = 0; j < ny; ++j) {
-      triangles.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1)});
-      triangles.push_back({node(i, j), node(i + 1, j + 1), node(i, j + 1)});
-    }
-  }
-  return triangles;
-}
-
 // [m3] of a ball of radius r with its centre at height zc that lies below z
 double volume_below(double z, double zc, double r) {
   const double t = std::clamp(z - zc, -r, r);
@@ -114,7 +100,7 @@ EngineSetup packing_setup(const PackingSpec& s, double top, const std::string& w
   e.restitution = s.restitution;
   e.youngs_modulus = s.youngs_modulus;
   e.poisson_ratio = s.poisson_ratio;
-  e.surfaces = {{"bed", bed(s.length, s.width, 10 * s.diameter), s.base_friction, s.base_rolling_friction}};
+  e.surfaces = {{"bed", flat_bed(s.length, s.width, 10 * s.diameter), s.base_friction, s.base_rolling_friction}};
   e.work_dir = work_dir;
   return e;
 }
@@ -156,6 +142,20 @@ Grains settle(const PackingSpec& s, GrainEngine& engine, const std::vector<NewGr
 }
 
 }  // namespace
+
+std::vector<Triangle> flat_bed(double length, double width, double size) {
+  const int nx = std::max(1, static_cast<int>(std::ceil(length / size))),
+            ny = std::max(1, static_cast<int>(std::ceil(width / size)));
+  std::vector<Triangle> triangles;
+  const auto node = [&](int i, int j) { return Vec{length * i / nx, width * j / ny, 0.0}; };
+  for (int i = 0; i < nx; ++i) {
+    for (int j = 0; j < ny; ++j) {
+      triangles.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1)});
+      triangles.push_back({node(i, j), node(i + 1, j + 1), node(i, j + 1)});
+    }
+  }
+  return triangles;
+}
 
 Packing settled_packing(const PackingSpec& spec, GrainEngine& engine, const std::string& cache, const std::string& work_dir,
                         const std::function<void(double)>& progress, const std::function<void(const std::string&)>& say) {

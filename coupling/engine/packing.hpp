@@ -36,4 +36,7 @@ Packing settled_packing(const PackingSpec&, GrainEngine&, const std::string& cac
                         const std::function<void(double done)>& progress = {},
                         const std::function<void(const std::string&)>& say = {});
 
+// A level rectangle from the origin, in triangles of about `size` [m].
+std::vector<Triangle> flat_bed(double length, double width, double size);
+
 }  // namespace couloir
