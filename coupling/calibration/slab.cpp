@@ -13,8 +13,6 @@ namespace couloir {
 
 namespace {
 
-constexpr double gravity = 9.81;  // [m/s2]
-
 // Lies between z0 and the slab's top: the share of the mean speed that a grain at this height starts with.
 double profile(const SlabSpec& s, double height) {
   if (s.base == SlabBase::flat) return 1;
@@ -46,7 +44,7 @@ EngineSetup slide_setup(const SlabSpec& s, const std::string& work_dir) {
   e.linear = linear_contact(grain, p.restitution);
   e.rotation = p.rotation;
   e.control = p.control;
-  e.gravity = {gravity * std::sin(s.slope), 0, -gravity * std::cos(s.slope)};
+  e.gravity = {slab_gravity * std::sin(s.slope), 0, -slab_gravity * std::cos(s.slope)};
   e.lo = {0, 0, -2 * p.diameter};
   e.hi = {p.length, p.width, s.depth + 40 * p.diameter};
   e.periodic = {true, true, false};
@@ -125,7 +123,7 @@ SlabCurve slide(const SlabSpec& s, GrainEngine& engine, const std::string& cache
   request.steps = steps(s.window);
 
   Motion before = motion(s, a.grains);
-  const double span = static_cast<double>(request.steps) * setup.timestep, weight = gravity * std::cos(s.slope);
+  const double span = static_cast<double>(request.steps) * setup.timestep, weight = slab_gravity * std::cos(s.slope);
   const double depth = before.mass / (s.stock.length * s.stock.width * s.stock.density * stock.solid_fraction);
   const double bagnold = 2.5 * s.stock.diameter / (depth * std::sqrt(stock.solid_fraction * weight * depth));
   for (double time = 0; time + 0.5 * span < s.duration; time += span) {

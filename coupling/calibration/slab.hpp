@@ -17,14 +17,16 @@
 
 namespace couloir {
 
+constexpr double slab_gravity = 9.81;  // [m/s2]
+
 enum class SlabBase { flat, rough };
 
 struct SlabSpec {
   // The settled block that is cut; its frictions are those that it settles with, not those it slides with.
   PackingSpec stock;
   SlabBase base = SlabBase::flat;
-  double depth = 0;                               // [m] of the slab; at most the stock's
-  double friction = 0.5, rolling_friction = 0.1;  // between grains, and of a rough base
+  double depth = 0;                                         // [m] of the slab; at most the stock's
+  double friction = 0.5, rolling_friction = 0.1;            // between grains, and of a rough base
   double base_friction = 0.4, base_rolling_friction = 0.1;  // of a flat base
   double slope = 0;                                         // [rad]
   double speed = 0;                                         // [m/s] at the start; on a rough base the mean of a sheared slab
@@ -50,10 +52,11 @@ struct SlabCurve {
   std::vector<SlabPoint> points;
 };
 
-// Settles the stock (or reads it from `cache`), lays the slab on its base and lets it slide. `stop` is asked between windows: true
-// ends with Stopped (coupling/cases/share_out.hpp). Throws EngineError.
-SlabCurve slide(const SlabSpec&, GrainEngine&, const std::string& cache, const std::string& work_dir,
-                const std::function<bool()>& stop = [] { return false; });
+// Settles the stock (or reads it from `cache`), lays the slab on its base and lets it slide. `stop` is asked between windows:
+// true ends with Stopped (coupling/cases/share_out.hpp). Throws EngineError.
+SlabCurve slide(
+    const SlabSpec&, GrainEngine&, const std::string& cache, const std::string& work_dir,
+    const std::function<bool()>& stop = [] { return false; });
 
 // One line that says all of a spec, exactly: two specs with the same are the same measurement.
 std::string describe(const SlabSpec&);
