@@ -7,7 +7,7 @@ namespace couloir {
 
 namespace {
 
-constexpr double least_inertia = 0.005, most_inertia = 0.2, slow_inertia = 0.05;
+constexpr double least_inertia = 0.01, most_inertia = 0.3, low_inertia = 0.1;  // of the line's points
 
 struct Line {
   double at_zero = 0, slope = 0;
@@ -70,9 +70,8 @@ SlabPlan SlabPlan::quick(int replicates) {
   plan.delta_duration = 10;
   plan.phi_depth = 6;
   plan.phi_deep = 0;
-  plan.phi_speed = 1.5;
   plan.phi_settling = 4;
-  plan.phi_duration = 24;
+  plan.phi_duration = 12;
   return plan;
 }
 
@@ -126,49 +125,55 @@ DeltaReading read_delta(const SlabPlan& plan, const std::vector<SlabCurve>& curv
   return out;
 }
 
-std::vector<SlabSpec> phi_slabs(const SlabPlan& plan, const PackingSpec& stock, const TriedGrains& g, double tan_phi,
+std::vector<SlabSpec> phi_slabs(const SlabPlan& plan, const PackingSpec& stock, const TriedGrains& g, double tan_incline,
                                 double depth) {
   const double d = stock.diameter, time = std::sqrt(d / slab_gravity), velocity = std::sqrt(d * slab_gravity);
-  const double faster = std::pow(depth / plan.phi_depth, 1.5);  // the same inertial number
+  const double longer = depth / plan.phi_depth;
   std::vector<SlabSpec> slabs;
   for (const long seed : plan.seeds) {
-    SlabSpec s = slab(plan, stock, g, depth, depth, seed);
-    s.base = SlabBase::rough;
-    s.base_friction = s.base_rolling_friction = 0;  // there is no flat base
-    s.slope = std::atan(std::max(0.0, tan_phi - 0.12));
-    s.speed = plan.phi_speed * faster * velocity;
-    s.settling = plan.phi_settling * time;
-    s.duration = plan.phi_duration * std::max(1.0, faster) * time;
-    s.window *= std::max(1.0, depth / plan.phi_depth);
-    slabs.push_back(s);
+    for (const double inertia : plan.phi_inertias) {
+      SlabSpec s = slab(plan, stock, g, depth, depth, seed);
+      s.base = SlabBase::rough;
+      s.base_friction = s.base_rolling_friction = 0;  // there is no flat base
+      s.slope = std::atan(tan_incline);
+      s.speed = inertia * 0.4 * std::pow(depth, 1.5) * std::sqrt(0.57 * std::cos(s.slope)) * velocity;
+      s.settling = plan.phi_settling * longer * time;
+      s.duration = plan.phi_duration * longer * time;
+      s.window *= longer;
+      slabs.push_back(s);
+    }
   }
   return slabs;
 }
 
-PhiReading read_phi(const std::vector<SlabCurve>& curves) {
+PhiReading read_phi(const SlabPlan& plan, const std::vector<SlabCurve>& curves) {
   PhiReading out;
-  out.slowed = true;
-  std::vector<SlabPoint> quasistatic;
+  std::vector<SlabPoint> all;
   std::vector<double> replicates;
-  for (const SlabCurve& c : curves) {
-    out.first.push_back(out.points.size());
-    out.points.insert(out.points.end(), c.points.begin(), c.points.end());
+  std::size_t k = 0;
+  for (std::size_t r = 0; r < plan.seeds.size(); ++r) {
     std::vector<SlabPoint> own;
-    std::ranges::copy_if(c.points, std::back_inserter(own),
-                         [](const SlabPoint& p) { return p.inertia >= least_inertia && p.inertia <= most_inertia; });
-    const bool slowed = own.size() >= 3 && c.points.back().inertia < slow_inertia;
-    out.slowed = out.slowed && slowed;
-    quasistatic.insert(quasistatic.end(), own.begin(), own.end());
-    replicates.push_back(slowed ? line_through(own).at_zero : 0);
+    for (std::size_t slab = 0; slab < plan.phi_inertias.size(); ++slab) {
+      for (const SlabPoint& p : curves.at(k++).points) {
+        out.points.push_back({static_cast<double>(r), p.inertia, p.friction});
+        if (p.inertia >= least_inertia && p.inertia <= most_inertia) own.push_back(p);
+      }
+    }
+    all.insert(all.end(), own.begin(), own.end());
+    if (own.size() > 2) replicates.push_back(line_through(own).at_zero);
   }
-  if (out.slowed) {
-    const Line line = line_through(quasistatic);
-    out.friction = line.at_zero;
-    out.slope = line.slope;
-    out.uncertainty = twice_standard_error(replicates);
-    return out;
+  if (all.empty()) {  // all of it rests, or runs away
+    for (const auto& point : out.points) out.mean += point[2] / static_cast<double>(out.points.size());
   }
-  for (const SlabPoint& p : out.points) out.friction += p.friction / static_cast<double>(out.points.size());
+  for (const SlabPoint& p : all) {
+    out.mean += p.friction / static_cast<double>(all.size());
+    out.low = out.low || p.inertia < low_inertia;
+  }
+  out.low = out.low && replicates.size() == plan.seeds.size();
+  const Line line = out.low ? line_through(all) : Line{out.mean, 0};
+  out.friction = line.at_zero;
+  out.slope = line.slope;
+  if (out.low) out.uncertainty = twice_standard_error(replicates);
   return out;
 }
 

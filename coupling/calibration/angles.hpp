@@ -1,7 +1,7 @@
 #pragma once
 // Which slabs show delta and phi, and how they are read.
 
-#include <string>
+#include <array>
 #include <vector>
 
 #include "coupling/calibration/slab.hpp"
@@ -19,9 +19,9 @@ struct SlabPlan {
   double length = 12, width = 6;
   std::vector<double> delta_depths = {5, 10}, delta_speeds = {5, 10};
   double delta_settling = 10, delta_duration = 20;
-  double phi_depth = 10, phi_deep = 20;  // deep: looked at once, where the grains are found; 0: not at all
-  double phi_speed = 3;                  // of the depth above; a deeper slab as fast as its inertial number asks
-  double phi_settling = 6, phi_duration = 60;
+  double phi_depth = 10, phi_deep = 20;            // deep: looked at once, where the grains are found; 0: not at all
+  std::vector<double> phi_inertias = {0.06, 0.2};  // inertial numbers at the start
+  double phi_settling = 8, phi_duration = 30;      // of the depth above; of deeper slabs in proportion
   double window = 2;
   std::vector<long> seeds;
 
@@ -42,20 +42,20 @@ struct DeltaReading {
   std::vector<DeltaRow> rows;
 };
 
-// A line mu = mu_0 + slope I through what a slab on the rough base shows between I = 0.005 and 0.2 as it slows down.
+// A line mu = mu_0 + slope I through what slabs on the rough base show between I = 0.01 and 0.3.
 struct PhiReading {
   double friction = 0, uncertainty = 0;  // [-] tan(phi) = mu_0 of all replicates; twice the standard error of theirs, 0 for one
   double slope = 0;                      // [-]
-  bool slowed = false;  // all came below I = 0.05; false: `friction` is the mean of what was seen, and more than tan(phi)
-  std::vector<SlabPoint> points;
-  std::vector<std::size_t> first;  // index of each replicate's first point
+  double mean = 0;                       // [-] of mu over the points of the line
+  bool low = false;                      // points reach below I = 0.1; false: there is no line, `friction` is the mean
+  std::vector<std::array<double, 3>> points;  // replicate, I, mu
 };
 
 // `stock`: material, diameter and contact law; its block's sizes and seed are the plan's.
 std::vector<SlabSpec> delta_slabs(const SlabPlan&, const PackingSpec& stock, const TriedGrains&, double tan_delta);
 DeltaReading read_delta(const SlabPlan&, const std::vector<SlabCurve>&);
 
-std::vector<SlabSpec> phi_slabs(const SlabPlan&, const PackingSpec& stock, const TriedGrains&, double tan_phi, double depth);
-PhiReading read_phi(const std::vector<SlabCurve>&);
+std::vector<SlabSpec> phi_slabs(const SlabPlan&, const PackingSpec& stock, const TriedGrains&, double tan_incline, double depth);
+PhiReading read_phi(const SlabPlan&, const std::vector<SlabCurve>&);
 
 }  // namespace couloir

@@ -13,6 +13,7 @@ namespace couloir {
 namespace {
 
 constexpr double most_friction = 1, most_rolling = 1, least_friction = 0.05;
+constexpr double most_lag = 0.06;  // [-] by how much mu may exceed the incline's tangent: the slab's deceleration over its weight
 
 double degrees(double tangent) {
   return std::atan(tangent) * 180 / std::numbers::pi;
@@ -59,17 +60,28 @@ class Calibration {
 
   // Phi.
 
-  double measure_phi(TriedGrains g) {
-    const std::vector<SlabCurve> curves = measure_(phi_slabs(task_.plan, task_.stock, g, tan_phi_, task_.plan.phi_depth));
-    record_.engine = curves.front().engine;
-    const PhiReading reading = read_phi(curves);
+  // On an incline on which the slab slows down slowly, found from what was seen: slabs that stop at once, or run away, show less.
+  PhiReading on_fitting_incline(const SlabPlan& plan, const TriedGrains& g, double depth) {
+    for (int tries = 0;; ++tries) {
+      const std::vector<SlabCurve> curves = measure_(phi_slabs(plan, task_.stock, g, incline_, depth));
+      record_.engine = curves.front().engine;
+      const PhiReading reading = read_phi(plan, curves);
+      if (tries == 3 || (reading.low && std::abs(reading.mean - incline_ - most_lag / 2) < most_lag / 2)) return reading;
+      incline_ = std::max(0.05, reading.mean - most_lag / 2);
+    }
+  }
+
+  double measure_phi(const TriedGrains& g) {
+    const PhiReading reading = on_fitting_incline(task_.plan, g, task_.plan.phi_depth);
     record_.phi_search.push_back({g.friction, g.rolling_friction, reading.friction});
-    say_(fmt::format("grains with friction {:.3f}, rolling friction {:.3f}: phi {}{:.2f} +- {:.2f} deg, {:.2f} asked for",
-                     g.friction, g.rolling_friction, reading.slowed ? "" : "below ", degrees(reading.friction),
-                     degrees(reading.uncertainty), record_.phi.asked));
-    if (phi_readings_.empty() ||
-        std::abs(reading.friction - tan_phi_) < std::abs(phi_readings_.front().second.friction - tan_phi_))
-      phi_readings_ = {{g, reading}};
+    say_(fmt::format("grains with friction {:.3f}, rolling friction {:.3f}: phi {:.2f} +- {:.2f} deg, {:.2f} asked for",
+                     g.friction, g.rolling_friction, degrees(reading.friction), degrees(reading.uncertainty), record_.phi.asked));
+    const auto miss = [&](const PhiReading& r) { return std::abs(r.friction - tan_phi_); };
+    if (record_.phi_search.size() == 1 || miss(reading) < miss(phi_)) {
+      record_.grains = g;
+      phi_ = reading;
+      record_.phi_incline = degrees(incline_);
+    }
     return reading.friction;
   }
 
@@ -92,11 +104,10 @@ class Calibration {
       const double least = g.rolling_friction;
       search_bracket({least, most_rolling, 0.4, most_rolling, near, 0.02, 5}, tan_phi_, with_rolling);
     }
-    const auto& [grains, reading] = phi_readings_.front();
-    record_.grains = grains;
+    const PhiReading& reading = phi_;
     record_.phi.reached = degrees(reading.friction);
     record_.phi.uncertainty = degrees(reading.uncertainty);
-    record_.phi.met = reading.slowed && std::abs(reading.friction - tan_phi_) <= std::max(near, reading.uncertainty);
+    record_.phi.met = reading.low && std::abs(reading.friction - tan_phi_) <= std::max(near, reading.uncertainty);
     record_.phi_slope = reading.slope;
     record_.phi_by_sine = std::asin(std::min(1.0, reading.friction)) * 180 / std::numbers::pi;
     keep_curve(task_.plan.phi_depth, reading);
@@ -108,25 +119,24 @@ class Calibration {
   }
 
   void keep_curve(double depth, const PhiReading& reading) {
-    for (std::size_t r = 0; r < reading.first.size(); ++r) {
-      const std::size_t end = r + 1 < reading.first.size() ? reading.first[r + 1] : reading.points.size();
-      for (std::size_t k = reading.first[r]; k < end; ++k)
-        record_.phi_slabs.push_back({depth, static_cast<double>(r), reading.points[k].inertia, reading.points[k].friction});
-    }
+    for (const auto& [replicate, inertia, friction] : reading.points)
+      record_.phi_slabs.push_back({depth, replicate, inertia, friction});
   }
 
+  // One replicate: whether the depth counts.
   void look_deeper() {
     const double depth = task_.plan.phi_deep;
     if (depth <= 0) return;
-    const PhiReading reading = read_phi(measure_(phi_slabs(task_.plan, task_.stock, record_.grains, tan_phi_, depth)));
+    SlabPlan plan = task_.plan;
+    plan.seeds.resize(1);
+    const PhiReading reading = on_fitting_incline(plan, record_.grains, depth);
     keep_curve(depth, reading);
     record_.phi_deep = degrees(reading.friction);
-    say_(fmt::format("a slab of {:g} d: phi {}{:.2f} +- {:.2f} deg", depth, reading.slowed ? "" : "below ", record_.phi_deep,
-                     degrees(reading.uncertainty)));
+    say_(fmt::format("a slab of {:g} d: phi {:.2f} deg", depth, record_.phi_deep));
     const double change = record_.phi_deep - record_.phi.reached;
     if (std::abs(change) > 1)
       record_.notes.push_back(
-          fmt::format("phi of a slab of {:g} d differs by {:.1f} deg from that of {:g} d", depth, change, task_.plan.phi_depth));
+          fmt::format("phi of a slab of {:g} d differs by {:+.1f} deg from that of {:g} d", depth, change, task_.plan.phi_depth));
   }
 
   // Delta.
@@ -212,7 +222,8 @@ class Calibration {
   const std::function<void(const std::string&)>& say_;
   const double tan_delta_, tan_phi_;
   CalibrationRecord record_;
-  std::vector<std::pair<TriedGrains, PhiReading>> phi_readings_;  // the nearest, alone
+  double incline_ = std::clamp(tan_phi_ - most_lag / 2, 0.05, 0.53);  // [-] tangent, of the rough base
+  PhiReading phi_;
   DeltaReading delta_;
   bool found_ = false;
 };

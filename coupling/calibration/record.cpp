@@ -45,6 +45,7 @@ void entries(Record& r, Each&& each) {
   each("phi_reached", "[deg] arctan of mu as I goes to 0", r.phi.reached);
   each("phi_uncertainty", "[deg] twice the standard error of the replicates", r.phi.uncertainty);
   each("phi_met", "", r.phi.met);
+  each("phi_incline", "[deg] of the rough base", r.phi_incline);
   each("phi_slope", "d mu / d I", r.phi_slope);
   each("phi_by_sine", "[deg] arcsin of the same", r.phi_by_sine);
   each("phi_deep", "[deg] of the deeper slab; 0: not looked at", r.phi_deep);

@@ -24,6 +24,7 @@ struct CalibrationRecord {
   TriedGrains grains;                      // found
   CalibratedAngle delta, phi;
   double delta_depth_change = 0, delta_speed_change = 0;  // [deg] of the deepest less the shallowest, fastest less slowest slab
+  double phi_incline = 0;                                 // [deg] of the rough base
   double phi_slope = 0;                                   // [-] of mu against I
   double phi_by_sine = 0;          // [deg] were mu its sine: the angle of a Mohr circle on whose shear plane mu acts (Davis 1968)
   double phi_deep = 0;             // [deg] of the deeper slab; 0: none looked at
