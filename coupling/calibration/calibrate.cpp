@@ -13,7 +13,7 @@ namespace couloir {
 namespace {
 
 constexpr double most_friction = 1, most_rolling = 1, least_friction = 0.05;
-constexpr double most_lag = 0.06;  // [-] by how much mu may exceed the incline's tangent: the slab's deceleration over its weight
+constexpr double most_lag = 0.012;  // [-] between mu and the incline's tangent: the slab's acceleration over its weight
 
 double degrees(double tangent) {
   return std::atan(tangent) * 180 / std::numbers::pi;
@@ -60,14 +60,16 @@ class Calibration {
 
   // Phi.
 
-  // On an incline on which the slab slows down slowly, found from what was seen: slabs that stop at once, or run away, show less.
+  // On an incline as steep as mu itself, found from what was seen: there slabs flow nearly steadily. On a gentler one their lower
+  // part stops first, and what holds the slab is less than the friction that grains have when they shear.
   PhiReading on_fitting_incline(const SlabPlan& plan, const TriedGrains& g, double depth) {
     for (int tries = 0;; ++tries) {
       const std::vector<SlabCurve> curves = measure_(phi_slabs(plan, task_.stock, g, incline_, depth));
       record_.engine = curves.front().engine;
       const PhiReading reading = read_phi(plan, curves);
-      if (tries == 3 || (reading.low && std::abs(reading.mean - incline_ - most_lag / 2) < most_lag / 2)) return reading;
-      incline_ = std::max(0.05, reading.mean - most_lag / 2);
+      const double lag = reading.mean - incline_;
+      if (tries == 5 || (reading.low && std::abs(lag) < tolerance(most_lag))) return reading;
+      incline_ = std::max(0.05, incline_ + 2 * lag);  // a steeper incline raises mu by about half of what it is steeper
     }
   }
 
@@ -222,7 +224,7 @@ class Calibration {
   const std::function<void(const std::string&)>& say_;
   const double tan_delta_, tan_phi_;
   CalibrationRecord record_;
-  double incline_ = std::clamp(tan_phi_ - most_lag / 2, 0.05, 0.53);  // [-] tangent, of the rough base
+  double incline_ = std::min(tan_phi_, 0.6);  // [-] tangent, of the rough base
   PhiReading phi_;
   DeltaReading delta_;
   bool found_ = false;
