@@ -106,6 +106,11 @@ fs::path folder_of(const CalibrateVerb& verb, const std::string& name) {
   return folder;
 }
 
+// That ends with one newline, which write_atomically adds.
+void write_lines(const std::string& path, const std::string& lines) {
+  write_atomically(path, lines.substr(0, lines.find_last_not_of('\n') + 1));
+}
+
 // Into dem_inputs, with the values in the material's own file. Returns what was written.
 std::string keep(const CalibrationRecord& record, const std::string& text, const Subject& s, bool values) {
   const fs::path folder = fs::path(materials_folder()).parent_path() / "calibrations";
@@ -114,9 +119,9 @@ std::string keep(const CalibrationRecord& record, const std::string& text, const
   if (record.contact != "hertz") name += "-" + record.contact;
   if (record.rotation != "free") name += "-" + record.rotation;
   const std::string path = (folder / (name + ".yaml")).string();
-  write_atomically(path, text);
+  write_lines(path, text);
   if (!values) return path;
-  write_atomically(s.file, with_calibration(read_text(s.file), record, name));
+  write_lines(s.file, with_calibration(read_text(s.file), record, name));
   return path + " and " + s.file;
 }
 
@@ -159,7 +164,7 @@ int calibrate_material(const CalibrateVerb& verb) {
 
   const std::string text = write_calibration(record);
   std::string written = (folder / "calibration.yaml").string();
-  write_atomically(written, text);
+  write_lines(written, text);
   // A quick one is too coarse for scenes.
   if (!verb.quick && !subject.file.empty()) written += ", " + keep(record, text, subject, !verb.record_only);
   if (verb.json) {

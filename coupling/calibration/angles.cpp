@@ -28,6 +28,12 @@ double mean(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
+double mean_friction(const std::vector<SlabPoint>& points) {
+  double sum = 0;
+  for (const SlabPoint& p : points) sum += p.friction;
+  return sum / static_cast<double>(points.size());
+}
+
 double twice_standard_error(const std::vector<double>& values) {
   if (values.size() < 2) return 0;
   const double n = static_cast<double>(values.size()), middle = mean(values);
@@ -70,6 +76,7 @@ SlabPlan SlabPlan::quick(int replicates) {
   plan.delta_duration = 10;
   plan.phi_depth = 6;
   plan.phi_deep = 0;
+  plan.phi_inertias = {0.04};
   plan.phi_settling = 4;
   plan.phi_duration = 12;
   return plan;
@@ -149,7 +156,7 @@ std::vector<SlabSpec> phi_slabs(const SlabPlan& plan, const PackingSpec& stock, 
 PhiReading read_phi(const SlabPlan& plan, const std::vector<SlabCurve>& curves) {
   PhiReading out;
   std::vector<SlabPoint> all;
-  std::vector<double> replicates;
+  std::vector<double> replicates, means;
   std::size_t k = 0;
   for (std::size_t r = 0; r < plan.seeds.size(); ++r) {
     std::vector<SlabPoint> own;
@@ -161,19 +168,17 @@ PhiReading read_phi(const SlabPlan& plan, const std::vector<SlabCurve>& curves) 
     }
     all.insert(all.end(), own.begin(), own.end());
     if (own.size() > 2) replicates.push_back(line_through(own).at_zero);
+    if (!own.empty()) means.push_back(mean_friction(own));
   }
-  if (all.empty()) {  // all of it rests, or runs away
-    for (const auto& point : out.points) out.mean += point[2] / static_cast<double>(out.points.size());
-  }
-  for (const SlabPoint& p : all) {
-    out.mean += p.friction / static_cast<double>(all.size());
-    out.low = out.low || p.inertia < low_inertia;
-  }
+  std::vector<SlabPoint> every;  // where all rests, or runs away
+  for (const SlabCurve& c : curves) every.insert(every.end(), c.points.begin(), c.points.end());
+  out.mean = mean_friction(all.empty() ? every : all);
+  out.low = std::ranges::any_of(all, [](const SlabPoint& p) { return p.inertia < low_inertia; });
   out.low = out.low && replicates.size() == plan.seeds.size();
   const Line line = out.low ? line_through(all) : Line{out.mean, 0};
   out.friction = line.at_zero;
   out.slope = line.slope;
-  if (out.low) out.uncertainty = twice_standard_error(replicates);
+  out.uncertainty = twice_standard_error(out.low ? replicates : means);
   return out;
 }
 

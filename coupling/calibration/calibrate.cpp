@@ -68,7 +68,7 @@ class Calibration {
       record_.engine = curves.front().engine;
       const PhiReading reading = read_phi(plan, curves);
       const double lag = reading.mean - incline_;
-      if (tries == 5 || (reading.low && std::abs(lag) < tolerance(most_lag))) return reading;
+      if (tries == (task_.quick ? 1 : 5) || (reading.low && std::abs(lag) < tolerance(most_lag))) return reading;
       incline_ = std::max(0.05, incline_ + 2 * lag);  // a steeper incline raises mu by about half of what it is steeper
     }
   }
@@ -101,10 +101,10 @@ class Calibration {
     };
     const double strongest = with_friction(most_friction);
     if (strongest > tan_phi_ + near) {
-      search_bracket({least_friction, most_friction, 0.3, 0.6, near, 0.01, 6}, tan_phi_, with_friction);
+      search_bracket({least_friction, most_friction, 0.3, 0.6, near, 0.01, task_.quick ? 2 : 6}, tan_phi_, with_friction);
     } else if (strongest < tan_phi_ - near && rolls()) {
       const double least = g.rolling_friction;
-      search_bracket({least, most_rolling, 0.4, most_rolling, near, 0.02, 5}, tan_phi_, with_rolling);
+      search_bracket({least, most_rolling, 0.4, most_rolling, near, 0.02, task_.quick ? 2 : 5}, tan_phi_, with_rolling);
     }
     const PhiReading& reading = phi_;
     record_.phi.reached = degrees(reading.friction);
@@ -113,7 +113,9 @@ class Calibration {
     record_.phi_slope = reading.slope;
     record_.phi_by_sine = std::asin(std::min(1.0, reading.friction)) * 180 / std::numbers::pi;
     keep_curve(task_.plan.phi_depth, reading);
-    if (!record_.phi.met)
+    if (!reading.low)
+      record_.notes.push_back("the slabs did not flow slowly: phi is the mean of what they showed, with no limit of low inertia");
+    else if (!record_.phi.met)
       record_.notes.push_back(fmt::format(
           "phi of {:.1f} deg is out of reach of these grains (friction up to {:g}, rolling friction up to {:g}): the nearest is "
           "{:.1f} deg",

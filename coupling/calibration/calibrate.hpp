@@ -7,7 +7,8 @@
 //   delta   flat base, of those grains: base friction with the default base rolling friction; where lone grains roll away under
 //           it, base rolling friction as between grains
 //
-// The rough base has the grains' own friction, so phi does not depend on the base: one round is enough.
+// phi does not depend on the friction of the flat base, and delta is searched with the grains that phi asks for: one round is
+// enough.
 
 #include <functional>
 #include <string>

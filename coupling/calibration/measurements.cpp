@@ -59,10 +59,11 @@ Measurements::Measurements(MeasurementSettings settings) : settings_(std::move(s
       SlabCurve curve;
       if (!read_line(line, settings_.made_by, key, curve)) continue;
       kept_[key] = curve;
-      whole += line + '\n';
+      whole += (whole.empty() ? "" : "\n") + line;
     }
   }
-  write_atomically(settings_.file, whole);
+  // Without a line that a kill has cut.
+  if (fs::exists(settings_.file)) write_atomically(settings_.file, whole);
 }
 
 std::string Measurements::key(const SlabSpec& spec) const {

@@ -59,7 +59,7 @@ EngineSetup slide_setup(const SlabSpec& s, const std::string& work_dir) {
   if (s.base == SlabBase::flat)
     e.surfaces = {{"base", flat_bed(p.length, p.width, 10 * p.diameter), s.base_friction, s.base_rolling_friction}};
   else
-    e.surfaces = {{"base", rough_base(p.length, p.width, p.diameter), s.friction, s.rolling_friction}};
+    e.surfaces = {{"base", rough_base(p.length, p.width, p.diameter), 1, s.rolling_friction}};  // holds whatever lies on it
   return e;
 }
 

@@ -26,7 +26,7 @@ struct SlabSpec {
   PackingSpec stock;
   SlabBase base = SlabBase::flat;
   double depth = 0;                                         // [m] of the slab; at most the stock's
-  double friction = 0.5, rolling_friction = 0.1;            // between grains, and of a rough base
+  double friction = 0.5, rolling_friction = 0.1;            // between grains; a rough base has friction 1 and theirs of rolling
   double base_friction = 0.4, base_rolling_friction = 0.1;  // of a flat base
   double slope = 0;                                         // [rad]
   double speed = 0;                                         // [m/s] at the start; on a rough base the mean of a sheared slab

@@ -30,8 +30,8 @@ SlabCurve along(double mu, double slope, double from, double to) {
 
 TEST(Angles, PhiIsWhereTheLineMeetsNoInertia) {
   const SlabPlan plan = SlabPlan::full(2);
-  const PhiReading r =
-      read_phi(plan, {along(0.58, 0.5, 0.08, 0.02), along(0.58, 0.5, 0.2, 0.1), along(0.62, 0.5, 0.08, 0.02), along(0.62, 0.5, 0.2, 0.1)});
+  const PhiReading r = read_phi(
+      plan, {along(0.58, 0.5, 0.08, 0.02), along(0.58, 0.5, 0.2, 0.1), along(0.62, 0.5, 0.08, 0.02), along(0.62, 0.5, 0.2, 0.1)});
   EXPECT_TRUE(r.low);
   EXPECT_NEAR(r.friction, 0.60, 1e-12);
   EXPECT_NEAR(r.slope, 0.5, 1e-12);

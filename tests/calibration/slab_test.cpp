@@ -90,8 +90,11 @@ TEST(Slab, TheRoughBaseIsPeriodicAndRises) {
       EXPECT_LE(v[2], d);
       top = std::max(top, v[2]);
       for (const Triangle& u : triangles)
-        for (const Vec& w : {u.a, u.b, u.c})
-          if (v[0] == 0 && w[0] == 0.04 && v[1] == w[1]) EXPECT_EQ(v[2], w[2]);
+        for (const Vec& w : {u.a, u.b, u.c}) {
+          if (v[0] == 0 && w[0] == 0.04 && v[1] == w[1]) {
+            EXPECT_EQ(v[2], w[2]);
+          }
+        }
     }
   EXPECT_GT(top, 0.8 * d);
 }
