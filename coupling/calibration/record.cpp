@@ -70,7 +70,7 @@ std::string quoted(const std::string& text) {
 struct Writer {
   std::string out;
   void line(const char* key, const char* what, const std::string& value) {
-    out += fmt::format("{}: {}{}\n", key, value, *what ? fmt::format("  # {}", what) : "");
+    out += fmt::format("{}:{}{}{}\n", key, value.empty() ? "" : " ", value, *what ? fmt::format("  # {}", what) : "");
   }
   void operator()(const char* key, const char* what, const std::string& value) { line(key, what, quoted(value)); }
   void operator()(const char* key, const char* what, double value) { line(key, what, number(value)); }
