@@ -37,25 +37,11 @@ std::vector<NewGrain> cut(const SlabSpec& s, const Packing& stock) {
 
 EngineSetup slide_setup(const SlabSpec& s, const std::string& work_dir) {
   const PackingSpec& p = s.stock;
-  EngineSetup e;
-  const GrainStiffness grain{p.diameter, p.spread, p.density, p.youngs_modulus, p.poisson_ratio};
-  e.timestep = stable_timestep(p.contact, grain);
-  e.contact = p.contact;
-  e.linear = linear_contact(grain, p.restitution);
-  e.rotation = p.rotation;
-  e.control = p.control;
+  EngineSetup e = grain_setup(p, work_dir);
   e.gravity = {slab_gravity * std::sin(s.slope), 0, -slab_gravity * std::cos(s.slope)};
-  e.lo = {0, 0, -2 * p.diameter};
   e.hi = {p.length, p.width, s.depth + 40 * p.diameter};
-  e.periodic = {true, true, false};
-  e.density = p.density;
-  e.max_radius = 0.5 * p.diameter * (1 + p.spread);
   e.friction = s.friction;
   e.rolling_friction = s.rolling_friction;
-  e.restitution = p.restitution;
-  e.youngs_modulus = p.youngs_modulus;
-  e.poisson_ratio = p.poisson_ratio;
-  e.work_dir = work_dir;
   if (s.base == SlabBase::flat)
     e.surfaces = {{"base", flat_bed(p.length, p.width, 10 * p.diameter), s.base_friction, s.base_rolling_friction}};
   else
@@ -92,15 +78,9 @@ std::vector<Triangle> rough_base(double length, double width, double diameter) {
   std::mt19937_64 random(20011);
   std::vector<double> heights(static_cast<std::size_t>(nx) * ny);
   for (double& h : heights) h = diameter * static_cast<double>(random() >> 11) * 0x1p-53;
-  const auto node = [&](int i, int j) { return Vec{length * i / nx, width * j / ny, heights[(i % nx) * ny + j % ny]}; };
-  std::vector<Triangle> triangles;
-  for (int i = 0; i < nx; ++i) {
-    for (int j = 0; j < ny; ++j) {
-      triangles.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1)});
-      triangles.push_back({node(i, j), node(i + 1, j + 1), node(i, j + 1)});
-    }
-  }
-  return triangles;
+  return relief(nx, ny, [&](int i, int j) {
+    return Vec{length * i / nx, width * j / ny, heights[static_cast<std::size_t>((i % nx) * ny + j % ny)]};
+  });
 }
 
 SlabCurve slide(const SlabSpec& s, GrainEngine& engine, const std::string& cache, const std::string& work_dir,
