@@ -13,6 +13,7 @@
 #include "continuum/errors.hpp"
 #include "continuum/isa/isa.hpp"
 #include "continuum/mesh/ranks.hpp"
+#include "coupling/cases/share_out.hpp"
 #include "coupling/engine/engine_error.hpp"
 #include "coupling/loop/interrupted.hpp"
 #include "coupling/records/record_error.hpp"
@@ -68,6 +69,7 @@ int main(int argc, char** argv) {
   add_report(app, exit_code);
   add_check(app, exit_code);
   add_study(app, exit_code);
+  add_calibrate(app, exit_code);
   add_bench(app, exit_code);
   if (argc > 1 && argv[1][0] != '-' && unknown_verb(app, argv[1])) return 2;
   try {
@@ -87,6 +89,8 @@ int main(int argc, char** argv) {
   } catch (const RecordError& error) {
     return fail(3, "the run failed", error);
   } catch (const Interrupted& error) {
+    return fail(3, "interrupted", error);
+  } catch (const Stopped& error) {
     return fail(3, "interrupted", error);
   } catch (const std::exception& error) {
     return fail(3, "internal error", error);

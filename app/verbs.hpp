@@ -12,6 +12,7 @@ void add_run(CLI::App&, int& exit_code);
 void add_report(CLI::App&, int& exit_code);
 void add_check(CLI::App&, int& exit_code);
 void add_study(CLI::App&, int& exit_code);
+void add_calibrate(CLI::App&, int& exit_code);
 void add_bench(CLI::App&, int& exit_code);
 
 }  // namespace couloir

@@ -59,20 +59,6 @@ std::vector<NewGrain> loose_grains(const PackingSpec& s, double& top) {
   return grains;
 }
 
-std::vector<Triangle> bed(double length, double width, double size) {
-  const int nx = std::max(1, static_cast<int>(std::ceil(length / size))),
-            ny = std::max(1, static_cast<int>(std::ceil(width / size)));
-  std::vector<Triangle> triangles;
-  const auto node = [&](int i, int j) { return Vec{length * i / nx, width * j / ny, 0.0}; };
-  for (int i = 0; i < nx; ++i) {
-    for (int j = 0; j < ny; ++j) {
-      triangles.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1)});
-      triangles.push_back({node(i, j), node(i + 1, j + 1), node(i, j + 1)});
-    }
-  }
-  return triangles;
-}
-
 // [m3] of a ball of radius r with its centre at height zc that lies below z
 double volume_below(double z, double zc, double r) {
   const double t = std::clamp(z - zc, -r, r);
@@ -96,26 +82,12 @@ double full_depth(const Packing& p, double diameter) {
 }
 
 EngineSetup packing_setup(const PackingSpec& s, double top, const std::string& work_dir) {
-  EngineSetup e;
-  const GrainStiffness grain{s.diameter, s.spread, s.density, s.youngs_modulus, s.poisson_ratio};
-  e.timestep = stable_timestep(s.contact, grain);
-  e.contact = s.contact;
-  e.linear = linear_contact(grain, s.restitution);
-  e.rotation = s.rotation;
-  e.control = s.control;
+  EngineSetup e = grain_setup(s, work_dir);
   e.gravity = {0, 0, -gravity};
-  e.lo = {0, 0, -2 * s.diameter};
   e.hi = {s.length, s.width, top + 4 * s.diameter};
-  e.periodic = {true, true, false};
-  e.density = s.density;
-  e.max_radius = 0.5 * s.diameter * (1 + s.spread);
   e.friction = s.friction;
   e.rolling_friction = s.rolling_friction;
-  e.restitution = s.restitution;
-  e.youngs_modulus = s.youngs_modulus;
-  e.poisson_ratio = s.poisson_ratio;
-  e.surfaces = {{"bed", bed(s.length, s.width, 10 * s.diameter), s.base_friction, s.base_rolling_friction}};
-  e.work_dir = work_dir;
+  e.surfaces = {{"bed", flat_bed(s.length, s.width, 10 * s.diameter), s.base_friction, s.base_rolling_friction}};
   return e;
 }
 
@@ -156,6 +128,42 @@ Grains settle(const PackingSpec& s, GrainEngine& engine, const std::vector<NewGr
 }
 
 }  // namespace
+
+std::vector<Triangle> relief(int nx, int ny, const std::function<Vec(int, int)>& node) {
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < nx; ++i) {
+    for (int j = 0; j < ny; ++j) {
+      triangles.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1)});
+      triangles.push_back({node(i, j), node(i + 1, j + 1), node(i, j + 1)});
+    }
+  }
+  return triangles;
+}
+
+std::vector<Triangle> flat_bed(double length, double width, double size) {
+  const int nx = std::max(1, static_cast<int>(std::ceil(length / size))),
+            ny = std::max(1, static_cast<int>(std::ceil(width / size)));
+  return relief(nx, ny, [&](int i, int j) { return Vec{length * i / nx, width * j / ny, 0.0}; });
+}
+
+EngineSetup grain_setup(const PackingSpec& s, const std::string& work_dir) {
+  EngineSetup e;
+  const GrainStiffness grain{s.diameter, s.spread, s.density, s.youngs_modulus, s.poisson_ratio};
+  e.timestep = stable_timestep(s.contact, grain);
+  e.contact = s.contact;
+  e.linear = linear_contact(grain, s.restitution);
+  e.rotation = s.rotation;
+  e.control = s.control;
+  e.lo = {0, 0, -2 * s.diameter};
+  e.periodic = {true, true, false};
+  e.density = s.density;
+  e.max_radius = 0.5 * s.diameter * (1 + s.spread);
+  e.restitution = s.restitution;
+  e.youngs_modulus = s.youngs_modulus;
+  e.poisson_ratio = s.poisson_ratio;
+  e.work_dir = work_dir;
+  return e;
+}
 
 Packing settled_packing(const PackingSpec& spec, GrainEngine& engine, const std::string& cache, const std::string& work_dir,
                         const std::function<void(double)>& progress, const std::function<void(const std::string&)>& say) {

@@ -36,4 +36,14 @@ Packing settled_packing(const PackingSpec&, GrainEngine&, const std::string& cac
                         const std::function<void(double done)>& progress = {},
                         const std::function<void(const std::string&)>& say = {});
 
+// A surface of nx by ny cells, two triangles each, through these nodes.
+std::vector<Triangle> relief(int nx, int ny, const std::function<Vec(int i, int j)>& node);
+
+// A level rectangle from the origin, in triangles of about `size` [m].
+std::vector<Triangle> flat_bed(double length, double width, double size);
+
+// Grains, contact law, time step and periodic sides of a block; without gravity, surfaces, the box's top and the grains'
+// frictions.
+EngineSetup grain_setup(const PackingSpec&, const std::string& work_dir);
+
 }  // namespace couloir

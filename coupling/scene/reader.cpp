@@ -120,4 +120,14 @@ Scene read_scene(const std::string& path, const std::string& materials, const Ov
   return scene;
 }
 
+Material read_material(const std::string& name, const std::string& materials) {
+  Node document = parse_document("terrain: {kind: flat, length: 1, width: 1}\nrelease: {kind: none}\nduration: 1\n", name);
+  Node& material = document.entry("material") = Node::of_text(name, name);
+  expand_material(material, materials);
+  Scene scene;
+  scene.places = Places(name);
+  bind(document, scene);
+  return scene.material;
+}
+
 }  // namespace couloir

@@ -15,6 +15,9 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;  // "grains.
 // Checks every key, unit and bound, and the scene as a whole (check.hpp).
 Scene read_scene(const std::string& path, const std::string& materials, const Overrides& = {});
 
+// A material of that folder alone. Throws SceneError.
+Material read_material(const std::string& name, const std::string& materials);
+
 // The scene as YAML text, complete, SI units, every default written out; read_scene reads it back to the same Scene.
 std::string write_scene(const Scene&);
 

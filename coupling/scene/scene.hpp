@@ -41,7 +41,8 @@ struct Material {
   double delta = 0;     // [rad] basal friction angle
   double diameter = 0;  // [m] mean grain diameter of the real material; 0: not known
   GrainMaterial grain;
-  std::string source;  // where the numbers come from
+  std::string source;       // where the numbers come from
+  std::string calibration;  // record that the grains' frictions come from; empty: none
 };
 
 struct ReleaseSpec {

@@ -74,6 +74,9 @@ void add_material(Keys& k) {
             .above(0)
             .optional());
   k.add(text("material.source", "where the numbers come from", COULOIR_AT(material.source)));
+  k.add(text("material.calibration", "record in dem_inputs/calibrations that the grains' frictions come from",
+             COULOIR_AT(material.calibration))
+            .optional());
   k.add(mapping("material.grains", "parameters of its grains"));
   add_grain_material(k, "material.grains.", Presence::defaulted);
 }

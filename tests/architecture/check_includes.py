@@ -26,6 +26,7 @@ ALLOWED = {
     "coupling/cases": ["coupling/scene", "coupling/records"],
     "coupling/check": ["coupling/scene", "coupling/cases"],
     "coupling/study": ["coupling/scene", "coupling/plan", "coupling/loop", "coupling/records", "coupling/cases"],
+    "coupling/calibration": ["coupling/scene", "coupling/engine", "coupling/cases", "coupling/records"],
     "app": ["continuum", "coupling"],
 }
 
