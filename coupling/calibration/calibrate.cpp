@@ -19,6 +19,11 @@ double degrees(double tangent) {
   return std::atan(tangent) * 180 / std::numbers::pi;
 }
 
+// What is tried has four decimals: an error of rounding would grow among grains into another result.
+double rounded(double value) {
+  return std::round(1e4 * value) / 1e4;
+}
+
 class Calibration {
  public:
   Calibration(const CalibrationTask& task, const std::function<std::vector<SlabCurve>(const std::vector<SlabSpec>&)>& measure,
@@ -69,7 +74,7 @@ class Calibration {
       const PhiReading reading = read_phi(plan, curves);
       const double lag = reading.mean - incline_;
       if (tries == (task_.quick ? 1 : 5) || (reading.low && std::abs(lag) < tolerance(most_lag))) return reading;
-      incline_ = std::max(0.05, incline_ + 2 * lag);  // a steeper incline raises mu by about half of what it is steeper
+      incline_ = rounded(std::max(0.05, incline_ + 2 * lag));  // a steeper incline raises mu by about half of what it is steeper
     }
   }
 
@@ -92,11 +97,11 @@ class Calibration {
     TriedGrains g;
     if (!rolls()) g.rolling_friction = g.base_rolling_friction = 0;
     const auto with_friction = [&](double friction) {
-      g.friction = friction;
+      g.friction = rounded(friction);
       return measure_phi(g);
     };
     const auto with_rolling = [&](double rolling) {
-      g.rolling_friction = rolling;
+      g.rolling_friction = rounded(rolling);
       return measure_phi(g);
     };
     const double strongest = with_friction(most_friction);
@@ -157,7 +162,7 @@ class Calibration {
   bool search_delta(TriedGrains g) {
     const double near = tolerance(0.003);
     const auto with_base = [&](double base) {
-      g.base_friction = base;
+      g.base_friction = rounded(base);
       const DeltaReading reading = measure_delta(g);
       if (!found_ || std::abs(reading.friction - tan_delta_) < std::abs(delta_.friction - tan_delta_)) {
         found_ = true;
@@ -226,7 +231,7 @@ class Calibration {
   const std::function<void(const std::string&)>& say_;
   const double tan_delta_, tan_phi_;
   CalibrationRecord record_;
-  double incline_ = std::min(tan_phi_, 0.6);  // [-] tangent, of the rough base
+  double incline_ = rounded(std::min(tan_phi_, 0.6));  // [-] tangent, of the rough base
   PhiReading phi_;
   DeltaReading delta_;
   bool found_ = false;

@@ -36,6 +36,7 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
     EXPECT_EQ(second.terrain.angle, first.terrain.angle);
     EXPECT_EQ(second.material.phi, first.material.phi);
     EXPECT_EQ(second.material.grain.base_friction, first.material.grain.base_friction);
+    EXPECT_EQ(second.material.calibration, first.material.calibration);
     EXPECT_EQ(second.material.source, first.material.source);
     EXPECT_EQ(second.release.kind, first.release.kind);
     EXPECT_EQ(second.release.x, first.release.x);
@@ -63,7 +64,7 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
 TEST_F(Writer, WritesEveryDefault) {
   const std::string written = write_scene(read(good_scene));
   for (const char* line :
-       {"gravity: 9.81 m/s2", "  cfl: 0.45", "  seed: 20011", "  zone: auto", "  upstream: outflow", "    friction: 0.5"}) {
+       {"gravity: 9.81 m/s2", "  cfl: 0.45", "  seed: 20011", "  zone: auto", "  upstream: outflow", "    restitution: 0.5"}) {
     EXPECT_NE(written.find(std::string(line) + "\n"), std::string::npos) << line << " in\n" << written;
   }
 }
