@@ -184,8 +184,10 @@ TEST(Effects, OfEveryExperiment) {
       {"cuboid_force", with(chute, {"steps_of_the_bed"})},
       {"eta_study", with(chute, {"planes"})},
       {"flume_continuum", {"depth_averaged_flow", "across_slope", "gravity_along_slope", "earth_pressure", "basal_friction"}},
+      {"moriguchi_flume_grains", {"across_slope", "gravity_along_slope", "solid_bodies", "grain_engine", "rolling_friction"}},
       {"null_zone", with(grains, {"depth_averaged_flow", "across_slope", "gravity_along_slope", "basal_friction", "inflow",
                                   "periodic_sides"})},
+      {"rotation_flume", {"across_slope", "gravity_along_slope", "solid_bodies", "grain_engine"}},
       {"silo_wedge", with(chute, {"elevation", "inflow"})},
       {"wedge_force", with(chute, {"elevation"})},
       {"wedge_critical_height", with(chute, {"elevation"})}};
