@@ -18,11 +18,18 @@ double highest(const Scene& s) {
   return std::max({s.release.height, s.release.semi_z, inflow, 4 * s.grains.diameter});
 }
 
-// Falling from the upper edge with the release's own height can throw a grain this high, and no higher.
+// [m] along the normal, anywhere down to `x`: falling from the upper edge with the release's own height can throw a grain this
+// high, and no higher.
 double throw_height(const Scene& s, const ReferenceSurface& surface, double x) {
-  const double drop = -surface.to_level(surface.to_space({x, 0, 0})).z() + highest(s);
   const double start = s.release.velocity * s.release.velocity / (2 * s.gravity);
-  return drop + start;
+  const auto level = [&](double at, double n) { return surface.to_level(surface.to_space({at, 0, n})).z(); };
+  double height = 0;
+  const int pieces = 64;
+  for (int i = 0; i <= pieces; ++i) {
+    const double at = x * i / pieces, drop = highest(s) + start - level(at, 0);
+    height = std::max(height, drop / (level(at, 1) - level(at, 0)));
+  }
+  return height;
 }
 
 RotationControl rotation_control(const Scene& s) {
