@@ -38,16 +38,13 @@ int run_replicates(const RunFolder& folder, const Scene& scene, bool quiet) {
     runs[k] = {scene.grains.seed + static_cast<long>(k), "", "it was not run: the user stopped", {}};
   runs[0] = {scene.grains.seed, ".", "", summary};
   std::mutex screen;
-  bool stopped = false;
   const auto work = [&](std::size_t k) {
     PackingRun& run = runs[k + 1];
     const std::string seed = std::to_string(run.seed);
     try {
       run = packing_run(run.seed, pool.run(folder.file("scene.yaml"), {{"grains.seed", seed}, {"grains.replicates", "1"}}));
     } catch (const Stopped&) {
-      const std::scoped_lock lock(screen);
-      stopped = true;
-      return;
+      return;  // what it says is there already
     }
     const std::scoped_lock lock(screen);
     if (!run.failure.empty())
