@@ -10,4 +10,9 @@ struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The engine works, its grains do not: they have left the box, or their motion is no finite number any more.
+struct RunawayError : EngineError {
+  using EngineError::EngineError;
+};
+
 }  // namespace couloir

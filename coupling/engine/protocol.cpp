@@ -86,7 +86,7 @@ void fields(A& a, Checkpoint& s) {
 }
 template <class A>
 void fields(A& a, Failed& s) {
-  a(s.reason);
+  a(s.reason, s.runaway);
 }
 
 class Packer {

@@ -26,7 +26,7 @@
 
 namespace couloir::protocol {
 
-inline constexpr int version = 3;
+inline constexpr int version = 4;
 
 enum class Kind : int { hello, start, started, advance, checkpoint, stop, done, heartbeat, advanced, failed };
 const char* to_string(Kind);
@@ -49,7 +49,8 @@ struct Checkpoint {
 };
 
 struct Failed {
-  std::string reason;  // the engine's own words
+  std::string reason;    // the engine's own words
+  bool runaway = false;  // RunawayError
 };
 
 // The kind of a message. Throws EngineError where it was written by another version of this protocol, or is no message.

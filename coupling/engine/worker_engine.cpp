@@ -158,7 +158,7 @@ std::string WorkerEngine::ask(const std::string& message) {
         if (kind != protocol::Kind::failed) return answer;
         protocol::Failed failed;
         protocol::decode(answer, failed);
-        fail(fmt::format("the grain engine reports: {}", failed.reason));
+        fail(fmt::format("the grain engine reports: {}", failed.reason), failed.runaway);
       }
       if (!alive) {
         fail(fmt::format("the grain engine's worker (pid {}) {}", run_->pid ? run_->pid : run_->process->pid(),
@@ -176,10 +176,12 @@ std::string WorkerEngine::ask(const std::string& message) {
   }
 }
 
-void WorkerEngine::fail(const std::string& reason) {
+void WorkerEngine::fail(const std::string& reason, bool runaway) {
   const std::filesystem::path folder = run_->work_dir;
   run_.reset();  // kills
-  throw EngineError(reason + tail(folder / "engine.log") + tail(folder / "worker.log"));
+  const std::string what = reason + tail(folder / "engine.log") + tail(folder / "worker.log");
+  if (runaway) throw RunawayError(what);
+  throw EngineError(what);
 }
 
 Advanced WorkerEngine::advance(const AdvanceRequest& request) {

@@ -34,7 +34,7 @@ class WorkerEngine final : public GrainEngine {
   struct Run;
   void open(const EngineSetup&, const std::string& checkpoint);
   std::string ask(const std::string& message);
-  [[noreturn]] void fail(const std::string& reason);
+  [[noreturn]] void fail(const std::string& reason, bool runaway = false);
 
   std::string worker_path_, name_;
   std::unique_ptr<Run> run_;  // null when not running

@@ -38,12 +38,20 @@ void GrainSide::start(const EngineSetup& setup) {
   engine_ = std::make_unique<WorkerEngine>(worker_path(scene_.grains.engine, options_.workers));
   engine_->start(setup);
   engine_name_ = engine_->name();
+  guard_ = std::make_unique<EnergyGuard>(setup, stable_timestep(scene_, table_->grain_density()));
   running_ = true;
   options_.on_engine(*engine_);
 }
 
 const Advanced& GrainSide::advance(const AdvanceRequest& request) {
-  last_ = engine_->advance(request);
+  Advanced now;
+  try {
+    now = engine_->advance(request);
+  } catch (const RunawayError& error) {
+    guard_->explain(error);
+  }
+  guard_->look(request, last_.grains, now);
+  last_ = std::move(now);
   length_ = double(request.steps) * timestep_;
   cpu_ += last_.cpu;
   peak_ = std::max(peak_, long(last_.grains.size()));

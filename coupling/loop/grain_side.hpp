@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "coupling/loop/energy_guard.hpp"
 #include "coupling/loop/engine_setup.hpp"
 #include "coupling/loop/observer.hpp"
 #include "coupling/loop/run.hpp"
@@ -45,6 +46,7 @@ class GrainSide {
   const RunOptions& options_;
   const ReferenceSurface& surface_;
   std::unique_ptr<GrainEngine> engine_;
+  std::unique_ptr<EnergyGuard> guard_;
   std::unique_ptr<PackingTable> table_;
   EngineSetup setup_;
   std::vector<int> surface_of_obstacle_;

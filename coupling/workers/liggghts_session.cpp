@@ -31,6 +31,10 @@ bool finite(const Vec& v) {
   throw EngineFailure(why, true);
 }
 
+[[noreturn]] void run_away(const std::string& how) {
+  throw EngineFailure(how, true, true);
+}
+
 LAMMPS_NS::LAMMPS* open_engine(const std::string& log, MPI_Comm comm) {
   std::vector<std::string> words = {"liggghts", "-log", log, "-screen", "/dev/null", "-echo", "log"};  // "none" crashes at a mesh
   std::vector<char*> argv;
@@ -217,13 +221,11 @@ void Session::check_none_lost() {
   std::int64_t sums[2] = {inside, broken ? 1 : 0};
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_INT64_T, MPI_SUM, comm_);
   const std::int64_t step = engine_->update->ntimestep;
-  if (sums[1])
-    refuse(fmt::format(
-        "by step {} the motion of a grain is no longer a finite number: the time step is too long or grains overlap", step));
+  if (sums[1]) run_away(fmt::format("by step {} the motion of a grain is no longer a finite number", step));
   if (sums[0] != grains_) {
-    refuse(fmt::format("by step {} {} of {} grains have left the box ({:g}..{:g}, {:g}..{:g}, {:g}..{:g}) m", step,
-                       grains_ - sums[0], grains_, setup_.lo[0], setup_.hi[0], setup_.lo[1], setup_.hi[1], setup_.lo[2],
-                       setup_.hi[2]));
+    run_away(fmt::format("by step {} {} of {} grains have left the box ({:g}..{:g}, {:g}..{:g}, {:g}..{:g}) m", step,
+                         grains_ - sums[0], grains_, setup_.lo[0], setup_.hi[0], setup_.lo[1], setup_.hi[1], setup_.lo[2],
+                         setup_.hi[2]));
   }
 }
 

@@ -113,7 +113,7 @@ void serve(const char* endpoint) {
         std::fprintf(stderr, "rank %d: %s\n", rank, e.what());
         MPI_Abort(MPI_COMM_WORLD, 1);
       }
-      line.say(protocol::encode(protocol::Failed{e.what()}));
+      line.say(protocol::encode(protocol::Failed{e.what(), failure && failure->runaway}));
       (void)session.release();  // an engine in the middle of things cannot be taken down; the process ends soon
     }
   }

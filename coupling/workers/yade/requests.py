@@ -8,6 +8,11 @@ class Refused(Exception):
     pass
 
 
+class RanAway(Exception):
+    """The engine works, its grains do not."""
+    runaway = True
+
+
 def check(request, setup, book):
     if request.steps < 0 or request.steps > LARGEST or (request.steps == 0 and (request.insert or len(request.remove))):
         raise Refused(f"an advance over {request.steps} steps is not possible")

@@ -150,12 +150,11 @@ class Session:
     def _check_none_lost(self, states):
         s, x = self.setup, states[:, POSITION]
         if not np.isfinite(states).all():
-            raise requests.Refused(f"by step {self.step} the motion of a grain is no longer a finite number: the time step is too "
-                                   "long or grains overlap")
+            raise requests.RanAway(f"by step {self.step} the motion of a grain is no longer a finite number")
         lost = ~((s.periodic | ((x >= s.lo) & (x <= s.hi))).all(1))
         if lost.any():
             box = ", ".join(f"{lo:g}..{hi:g}" for lo, hi in zip(s.lo, s.hi))
-            raise requests.Refused(f"by step {self.step} {lost.sum()} of {len(lost)} grains have left the box ({box}) m")
+            raise requests.RanAway(f"by step {self.step} {lost.sum()} of {len(lost)} grains have left the box ({box}) m")
 
     def _report(self, request, states, exchange, cpu):
         mass, radius = self.book.mass, self.book.radius

@@ -70,7 +70,7 @@ def serve(endpoint):
                 raise RuntimeError(f"the worker got a message of kind {kind}")
         except Exception as error:
             traceback.print_exc()
-            line.say(messages.FAILED, [str(error) or repr(error)])
+            line.say(messages.FAILED, [str(error) or repr(error), getattr(error, "runaway", False)])
             session = None
     sys.stdout.flush()
     os._exit(0)  # YADE's own clean-up at exit is slow
