@@ -74,6 +74,9 @@ class Run:
         self.frames = [Frame(self, group) for _, group in sorted(self.file["frames"].items())]
         self.obstacles = {name: dict(group.attrs) for name, group in self.file["obstacles"].items()}
         self.forces = {name: {key: data[()] for key, data in group.items()} for name, group in self.file["forces"].items()}
+        stresses = self.file["stresses"].items() if "stresses" in self.file else ()
+        self.stresses = {(of, name): {key: data[()] for key, data in gauge.items()}
+                         for of, gauges in stresses for name, gauge in gauges.items()}
         self._depths = {}
         self.events = list(zip(self.file["events/time"][()], self.file["events/text"].asstr()[()]))
 

@@ -14,6 +14,7 @@ from pathlib import Path
 import budgets
 import compare
 import figures
+import stresses
 from page import cards, effects_table, events_table, figures_table, number, page, picture, section
 from read import MODES, NoRun, Run
 
@@ -51,6 +52,7 @@ def key_figures(runs, names):
     obstacles = list(dict.fromkeys(name for run in runs for name in run.obstacles))
     groups = [(f"Force on {o}, along the slope", [(what, unit, [run.figure(("obstacles", o, key)) for run in runs])
                                                   for what, unit, key in FORCES]) for o in obstacles]
+    groups += stresses.groups(runs)
     for title, rows in GROUPS:
         shown = [run if wanted(run, title) else None for run in runs]
         groups.append((title, [(what, unit, [run.figure(path) if run else None for run in shown]) for what, unit, path in rows]))
@@ -66,6 +68,7 @@ def packings_table(run):
         rows = [(what, unit, [figures_of[key][column] for column in ("mean", "scatter", "least", "largest")])
                 for what, unit, key in FORCES if key in figures_of]
         groups.append((f"Force on {name}, along the slope", rows))
+    groups += stresses.packing_groups(run.summary["replicates"])
     return figures_table(["mean", "scatter", "least", "largest"], groups)
 
 
@@ -108,6 +111,9 @@ def report_one(run, out):
                   (run.figure("grains.peak_count") or None, "", "grains at most"), (run.figure("time.wall"), "s", "time waited")])
     body += section("Forces", picture(figures.forces(run, out / "forces.png"),
                                       "Thin: mean of each coupling window. Thick: running mean of 15 ms, whose peak is quoted."))
+    body += section("Stresses", picture(stresses.one_run(run, out / "stresses.png"),
+                                        "By the grains on parts of a front: into the face, along its height, across. Thick: "
+                                        "running mean of 15 ms."))
     body += section("From above", picture(figures.top_view(run, out / "top.png"),
                                           "Depth of the flow with its outline; hatched: obstacles; dashed: the zone that the "
                                           "grains hold, where a thin flow shows as single grains."))
@@ -175,6 +181,8 @@ def report_several(runs, out):
         verdict += (f" They cover different times, {number(min(covered), 3)} s to {number(max(covered), 3)} s: impulses, "
                     "means and forces at the end do not compare.")
     body = section("Forces", picture(compare.forces(runs, names, out / "forces.png"), "The force on each obstacle in all runs."))
+    body += section("Stresses", picture(stresses.several(runs, names, out / "stresses.png"),
+                                        "By the grains on parts of a front: running means of 15 ms."))
     body += section("Ratios", ratio_table(runs, names, best))
     body += section("Depth", picture(compare.depth(runs, names, out / "depth.png"), "Depth at the same instants, on one scale."))
     body += section("Key figures", key_figures(runs, names))

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -114,6 +115,10 @@ std::string quantity_of_path(std::string_view path) {
   if (name.starts_with("relative_") || name.starts_with("share_") || ends("_per_second")) return "a plain number";
   if (ends("_time") || name == "arrival" || name == "first_contact" || path.starts_with("time."))
     return describe(Dimension::time);
+  if (path.starts_with("obstacles.") && std::ranges::count(path, '.') == 4 && path.find(".gauges.") != path.npos) {
+    const bool stress = ends("_peak") || ends("_mean") || ends("_final");
+    return stress ? describe(Dimension::pressure) : "";
+  }
   const bool measure = name == "maximum" || name == "peak" || name == "mean" || name == "final";
   if (name.starts_with("force") || (measure && (path.starts_with("obstacles.") || path.starts_with("walls.")))) return "a force";
   if (name.starts_with("impulse")) return "an impulse";

@@ -11,9 +11,26 @@ nlohmann::json figure(const Scatter& s) {
   return {{"mean", s.mean}, {"scatter", s.scatter}, {"least", s.least}, {"largest", s.largest}, {"count", s.count}};
 }
 
-double number_at(const nlohmann::json& summary, const nlohmann::json::json_pointer& at) {
+using Pointer = nlohmann::json::json_pointer;
+
+double number_at(const nlohmann::json& summary, const Pointer& at) {
   const bool there = summary.contains(at) && summary.at(at).is_number();
   return there ? summary.at(at).get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+// Of all numbers at this place and under it, as the first run has them; null where there are none.
+nlohmann::json figures_at(const std::vector<nlohmann::json>& done, const Pointer& at) {
+  nlohmann::json out;
+  const nlohmann::json& first = done.front().at(at);
+  if (first.is_object()) {
+    for (const auto& [key, below] : first.items())
+      if (nlohmann::json found = figures_at(done, at / key); !found.is_null()) out[key] = std::move(found);
+    return out;
+  }
+  std::vector<double> values;
+  for (const nlohmann::json& summary : done) values.push_back(number_at(summary, at));
+  if (const Scatter s = scatter_of(values); s.count > 0) out = figure(s);
+  return out;
 }
 
 }  // namespace
@@ -32,16 +49,8 @@ nlohmann::json over_packings(const std::vector<PackingRun>& runs) {
   }
   out["count"] = done.size();
   for (const std::string section : {"obstacles", "walls"}) {
-    out[section] = nlohmann::json::object();
-    if (done.empty()) continue;
-    for (const auto& [name, figures] : done.front().at(section).items()) {
-      for (const auto& [key, first] : figures.items()) {
-        const auto at = nlohmann::json::json_pointer() / section / name / key;
-        std::vector<double> values;
-        for (const nlohmann::json& summary : done) values.push_back(number_at(summary, at));
-        if (const Scatter s = scatter_of(values); s.count > 0) out[section][name][key] = figure(s);
-      }
-    }
+    const nlohmann::json figures = done.empty() ? nlohmann::json() : figures_at(done, Pointer() / section);
+    out[section] = figures.is_null() ? nlohmann::json::object() : figures;
   }
   return out;
 }

@@ -9,6 +9,7 @@
 #include "coupling/loop/momentum_book.hpp"
 #include "coupling/loop/names.hpp"
 #include "coupling/loop/saved_state.hpp"
+#include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/plan.hpp"
 #include "coupling/plan/release.hpp"
@@ -44,6 +45,7 @@ class CoupledRun : public ModeRun {
     begin.bed = flow_->bed();
     begin.obstacles = obstacle_names(scene_);
     begin.measures = measures_ = flow_->measure(scene_, surface_, settings_.box);
+    begin.stress_gauges = gauges_ = stress_gauges(scene_, &box_);
     begin.effects = make_plan(scene_).effects;
     begin.bulk_density = flow_->density();
     return begin;
@@ -82,7 +84,8 @@ class CoupledRun : public ModeRun {
     zone_ = std::make_unique<Zone>(settings_, flow_->solver().grid(), surface_, grains_->table());
     const double before = flow_->solver().volume();
     first_ = zone_->take_over(flow_->solver());
-    grains_->start(engine_setup_zone(scene_, surface_, box_, zone_->rim(), grains_->table().grain_density(), options_.work_dir));
+    grains_->start(engine_setup_zone(scene_, surface_, box_, zone_->rim(), grains_->table().grain_density(), options_.work_dir),
+                   gauges_);
     for (const NewGrain& g : first_)
       if (!zone_->is_shadow(g.id)) grain_momentum_ += grains_->table().grain_mass(g.radius) * g.velocity[0];
     flow_momentum_jump_ = true;
@@ -116,12 +119,13 @@ class CoupledRun : public ModeRun {
         const double depth = force.depth_on_top;
         force = grains_->force(k);
         force.depth_on_top = depth;
-        if (!flow_momentum_jump_) w.momentum.obstacles += grains_->impulse_x(scene_.obstacles[k].name);
+        if (!flow_momentum_jump_) w.momentum.obstacles += grains_->impulse_x(k);
       }
       w.obstacles.push_back(force);
       w.overtopped += flow_->overtopped(k) + grains_->overtopped(k);
     }
     double momentum = flow_->momentum();
+    w.stresses = zone_ ? grains_->stresses() : std::vector<GaugeStress>(gauges_.size());
     if (zone_) {
       grains_->add_wall_forces(measures_, w.measures);
       const Advanced& a = grains_->last();
@@ -190,6 +194,7 @@ class CoupledRun : public ModeRun {
   ZoneBox box_;
   std::vector<NewGrain> first_;
   std::vector<ForceMeasure> measures_;
+  std::vector<StressGauge> gauges_;
   MomentumBook book_;
   double grain_mass_ = 0, grain_momentum_ = 0, left_momentum_ = 0;
   bool flow_momentum_jump_ = false;

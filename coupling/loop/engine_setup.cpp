@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/build.hpp"
 #include "coupling/scene/inflow.hpp"
 
@@ -89,9 +91,18 @@ void set_box(EngineSetup& setup, const Scene& s, const ReferenceSurface& surface
 void add_obstacles_and_sides(EngineSetup& setup, const Scene& s, const ReferenceSurface& surface, const ZoneBox& zone,
                              const Patch& region, double height, double size) {
   const GrainMaterial& m = s.material.grain;
-  for (const ObstacleSpec& o : s.obstacles)
-    if (zone.holds(o))
-      setup.surfaces.push_back({o.name, obstacle_mesh(surface, o, size), m.wall_friction, m.base_rolling_friction});
+  for (int k = 0; k < int(s.obstacles.size()); ++k) {
+    const ObstacleSpec& o = s.obstacles[std::size_t(k)];
+    if (!zone.holds(o)) continue;
+    std::vector<StressGaugeSpec> gauges;
+    std::ranges::copy_if(s.stress_gauges, std::back_inserter(gauges), [&](const auto& g) { return g.obstacle == k; });
+    ObstacleMesh mesh = obstacle_mesh(surface, o, size, gauges);
+    const auto solid = [&](const std::string& name, std::vector<Triangle>& part) {
+      setup.surfaces.push_back({name, std::move(part), m.wall_friction, m.base_rolling_friction});
+    };
+    solid(o.name, mesh.rest);
+    for (std::size_t n = 0; n < gauges.size(); ++n) solid(surface_of({k, o.name, gauges[n].name}), mesh.gauges[n]);
+  }
   const double half = s.terrain.width / 2, length = s.terrain.total_length();
   const auto side = [&](const char* name, std::vector<Triangle> mesh) {
     setup.surfaces.push_back({name, std::move(mesh), m.side_friction, m.base_rolling_friction});

@@ -1,9 +1,11 @@
 #include "coupling/loop/grain_side.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupling/engine/worker_engine.hpp"
 #include "coupling/loop/interrupted.hpp"
+#include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/build.hpp"
 
 namespace couloir {
@@ -21,7 +23,7 @@ GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const Refere
       say);
   table_ = std::make_unique<PackingTable>(packing, grain_density(scene, packing));
   timestep_ = engine_timestep(scene, table_->grain_density());
-  surface_of_obstacle_.assign(scene.obstacles.size(), -1);
+  surfaces_of_obstacle_.resize(scene.obstacles.size());
   for (const ObstacleSpec& o : scene.obstacles)
     overtopping_.emplace_back(o.crest_x(), o.y - 0.5 * o.crest_width(), o.y + 0.5 * o.crest_width(), table_->grain_density());
 }
@@ -30,11 +32,19 @@ GrainSide::~GrainSide() {
   if (engine_) engine_->stop();
 }
 
-void GrainSide::start(const EngineSetup& setup) {
+void GrainSide::start(const EngineSetup& setup, const std::vector<StressGauge>& gauges) {
   setup_ = setup;
+  gauges_ = gauges;
+  const auto number = [&](const std::string& name) {
+    const auto found = std::ranges::find(setup.surfaces, name, &EngineSurface::name);
+    return found == setup.surfaces.end() ? -1 : int(found - setup.surfaces.begin());
+  };
   for (int k = 0; k < int(scene_.obstacles.size()); ++k)
-    for (int s = 0; s < int(setup.surfaces.size()); ++s)
-      if (setup.surfaces[s].name == scene_.obstacles[k].name) surface_of_obstacle_[k] = s;
+    if (const int s = number(scene_.obstacles[k].name); s >= 0) surfaces_of_obstacle_[k].push_back(s);
+  for (const StressGauge& g : gauges_) {
+    surface_of_gauge_.push_back(number(surface_of(g)));
+    surfaces_of_obstacle_[g.obstacle].push_back(surface_of_gauge_.back());
+  }
   engine_ = std::make_unique<WorkerEngine>(worker_path(scene_.grains.engine, options_.workers));
   engine_->start(setup);
   engine_name_ = engine_->name();
@@ -62,11 +72,24 @@ const Advanced& GrainSide::advance(const AdvanceRequest& request) {
 
 ObstacleForce GrainSide::force(int k) const {
   ObstacleForce out;
-  if (!running_ || surface_of_obstacle_[k] < 0 || last_.surface_force.empty()) return out;
-  const Vec& f = last_.surface_force[surface_of_obstacle_[k]];
+  if (!running_ || last_.surface_force.empty()) return out;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  for (const int s : surfaces_of_obstacle_[k]) force += Eigen::Vector3d::Map(last_.surface_force[s].data());
   const double x = scene_.obstacles[k].x;
-  const Eigen::Vector3d force(f[0], f[1], f[2]);
-  out.force = {force.dot(surface_.tangent(x)), f[1], force.dot(surface_.normal(x))};
+  out.force = {force.dot(surface_.tangent(x)), force.y(), force.dot(surface_.normal(x))};
+  return out;
+}
+
+std::vector<GaugeStress> GrainSide::stresses() const {
+  std::vector<GaugeStress> out(gauges_.size());
+  if (!running_ || last_.surface_force.empty()) return out;
+  for (std::size_t n = 0; n < gauges_.size(); ++n) {
+    const auto force = Eigen::Vector3d::Map(last_.surface_force[surface_of_gauge_[n]].data());
+    const ObstacleSpec& o = scene_.obstacles[gauges_[n].obstacle];
+    const double middle = o.x + 0.5 * o.length;  // where the cuboid's axis stands on the bed
+    out[n] = {force.dot(surface_.tangent(middle)), force.dot(surface_.normal(middle)), force.y()};
+    for (double* stress : {&out[n].normal, &out[n].up, &out[n].across}) *stress /= gauges_[n].area;
+  }
   return out;
 }
 
@@ -88,6 +111,13 @@ double GrainSide::impulse_x(const std::string& surface) const {
   for (std::size_t s = 0; s < setup_.surfaces.size() && s < last_.surface_force.size(); ++s)
     if (setup_.surfaces[s].name == surface) return -last_.surface_force[s][0] * length_;
   return 0;
+}
+
+double GrainSide::impulse_x(int obstacle) const {
+  double impulse = 0;
+  for (const int s : surfaces_of_obstacle_[obstacle])
+    if (!last_.surface_force.empty()) impulse -= last_.surface_force[s][0] * length_;
+  return impulse;
 }
 
 double GrainSide::max_speed() const {

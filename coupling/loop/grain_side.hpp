@@ -22,19 +22,21 @@ class GrainSide {
   const PackingTable& table() const { return *table_; }
   double timestep() const { return timestep_; }  // [s]
 
-  void start(const EngineSetup&);
+  void start(const EngineSetup&, const std::vector<StressGauge>& = {});
   bool running() const { return running_; }
   const Advanced& advance(const AdvanceRequest&);
   const Advanced& last() const { return last_; }
   std::string engine() const { return engine_name_; }
   GrainEngine& port() { return *engine_; }
 
-  ObstacleForce force(int obstacle) const;  // of the last advance; zero where the obstacle has no mesh
-  bool has_obstacle(int obstacle) const { return surface_of_obstacle_[obstacle] >= 0; }
+  ObstacleForce force(int obstacle) const;  // of the last advance, all its parts; zero where the obstacle has no mesh
+  bool has_obstacle(int obstacle) const { return !surfaces_of_obstacle_[obstacle].empty(); }
+  std::vector<GaugeStress> stresses() const;  // of the last advance, as the gauges given at the start
   double overtopped(int obstacle) const { return overtopping_[obstacle].mass(); }
   // Adds the last advance's forces on the domain's walls to the measures of kind "wall".
   void add_wall_forces(const std::vector<ForceMeasure>&, std::vector<std::array<double, 2>>& forces) const;
   double impulse_x(const std::string& surface) const;  // [N s] on the grains in the last advance, by one surface
+  double impulse_x(int obstacle) const;                // likewise, by all parts of an obstacle
   double max_speed() const;                            // [m/s]
 
   long peak() const { return peak_; }
@@ -49,7 +51,9 @@ class GrainSide {
   std::unique_ptr<EnergyGuard> guard_;
   std::unique_ptr<PackingTable> table_;
   EngineSetup setup_;
-  std::vector<int> surface_of_obstacle_;
+  std::vector<std::vector<int>> surfaces_of_obstacle_;  // itself and its gauges
+  std::vector<StressGauge> gauges_;
+  std::vector<int> surface_of_gauge_;
   std::vector<Overtopping> overtopping_;
   Advanced last_;
   std::string engine_name_;

@@ -5,6 +5,7 @@
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/loop/momentum_book.hpp"
 #include "coupling/loop/names.hpp"
+#include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/plan.hpp"
 #include "coupling/plan/release.hpp"
@@ -34,7 +35,8 @@ class GrainsRun : public ModeRun {
     const double across = (domain.walls[2] + domain.walls[3]) * d / (2 * half);
     const double depth = (1 + along + across) * deepest;
     side_ = std::make_unique<GrainSide>(scene_, options_, surface_, depth, [this](const std::string& what) { tell(0, what); });
-    side_->start(engine_setup_whole(scene_, surface_, side_->table().grain_density(), options_.work_dir));
+    const std::vector<StressGauge> gauges = stress_gauges(scene_, nullptr);
+    side_->start(engine_setup_whole(scene_, surface_, side_->table().grain_density(), options_.work_dir), gauges);
     clock_ = std::make_unique<Clock>(side_->timestep(), scene_.grains.window, scene_.duration);
     grid_ = solver_settings(scene_).grid;
 
@@ -59,6 +61,7 @@ class GrainsRun : public ModeRun {
     begin.surface = &surface_;
     begin.obstacles = obstacle_names(scene_);
     begin.measures = measures_ = wall_measures(scene_);
+    begin.stress_gauges = gauges;
     begin.effects = make_plan(scene_).effects;
     begin.bulk_density = side_->table().bulk_density();
     return begin;
@@ -90,7 +93,7 @@ class GrainsRun : public ModeRun {
     w.momentum.bed = side_->impulse_x("bed");
     for (const char* side : side_surfaces) w.momentum.boundary += side_->impulse_x(side);
     for (int k = 0; k < int(scene_.obstacles.size()); ++k) {
-      w.momentum.obstacles += side_->impulse_x(scene_.obstacles[k].name);
+      w.momentum.obstacles += side_->impulse_x(k);
       ObstacleForce force = side_->force(k);
       force.depth_on_top = depth_on_top(scene_.obstacles[k], a.grains);
       w.obstacles.push_back(force);
@@ -98,6 +101,7 @@ class GrainsRun : public ModeRun {
     }
     w.measures.resize(measures_.size());
     side_->add_wall_forces(measures_, w.measures);
+    w.stresses = side_->stresses();
     mass_ = mass;
     momentum_before_ = momentum;
     book_.close(w.momentum, momentum);

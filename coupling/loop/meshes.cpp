@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "coupling/loop/front_mesh.hpp"
+
 namespace couloir {
 namespace {
 
@@ -14,15 +16,25 @@ Vec vec(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-// A sheet of n x m quadrilaterals, two triangles each.
-void sheet(std::vector<Triangle>& out, const Point& at, int n, int m) {
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j) {
-      const Vec a = vec(at(double(i) / n, double(j) / m)), b = vec(at(double(i + 1) / n, double(j) / m));
-      const Vec c = vec(at(double(i + 1) / n, double(j + 1) / m)), d = vec(at(double(i) / n, double(j + 1) / m));
+// A sheet of quadrilaterals between lines of both parameters, two triangles each.
+void sheet(std::vector<Triangle>& out, const Point& at, const std::vector<double>& p, const std::vector<double>& q) {
+  for (std::size_t i = 0; i + 1 < p.size(); ++i)
+    for (std::size_t j = 0; j + 1 < q.size(); ++j) {
+      const Vec a = vec(at(p[i], q[j])), b = vec(at(p[i + 1], q[j]));
+      const Vec c = vec(at(p[i + 1], q[j + 1])), d = vec(at(p[i], q[j + 1]));
       out.push_back({a, b, c});
       out.push_back({a, c, d});
     }
+}
+
+std::vector<double> even(int n) {
+  std::vector<double> lines;
+  for (int i = 0; i <= n; ++i) lines.push_back(double(i) / n);
+  return lines;
+}
+
+void sheet(std::vector<Triangle>& out, const Point& at, int n, int m) {
+  sheet(out, at, even(n), even(m));
 }
 
 // One triangle cut into n x n alike, all of its orientation;
@@ -54,15 +66,23 @@ std::vector<Triangle> bed_mesh(const ReferenceSurface& surface, const Patch& p, 
   return out;
 }
 
-std::vector<Triangle> cuboid_mesh(const ReferenceSurface& surface, const ObstacleSpec& o, double size) {
+ObstacleMesh cuboid_mesh(const ReferenceSurface& surface, const ObstacleSpec& o, double size,
+                         const std::vector<StressGaugeSpec>& gauges) {
   const double middle = o.x + 0.5 * o.length;
   const Eigen::Vector3d foot = surface.to_space({middle, o.y, 0}), t = surface.tangent(middle), n = surface.normal(middle);
   const Eigen::Vector3d along = o.length * t, across = o.width * Eigen::Vector3d::UnitY(), up = o.height * n;
   const Eigen::Vector3d corner = foot - 0.5 * along - 0.5 * across;
-  const int nl = pieces(o.length, size), nw = pieces(o.width, size), nh = pieces(o.height, size);
-  std::vector<Triangle> out;
-  sheet(
-      out, [&](double a, double b) { return Eigen::Vector3d(corner + a * across + b * up); }, nw, nh);  // upstream
+  const FrontMesh front = front_mesh(o, gauges, size);
+  const auto on_front = [&](const std::vector<FaceTriangle>& flat) {
+    const auto at = [&](const FacePoint& p) { return vec(corner + p[0] * across + p[1] * up); };
+    std::vector<Triangle> out;
+    for (const FaceTriangle& t : flat) out.push_back({at(t[0]), at(t[1]), at(t[2])});
+    return out;
+  };
+  ObstacleMesh mesh{on_front(front.rest), {}};
+  for (const auto& gauge : front.gauges) mesh.gauges.push_back(on_front(gauge));
+  std::vector<Triangle>& out = mesh.rest;
+  const std::vector<double> nl = even(pieces(o.length, size)), &nw = front.across, &nh = front.up;
   sheet(
       out, [&](double a, double b) { return Eigen::Vector3d(corner + along + a * across + b * up); }, nw, nh);  // downstream
   sheet(
@@ -71,7 +91,7 @@ std::vector<Triangle> cuboid_mesh(const ReferenceSurface& surface, const Obstacl
       out, [&](double a, double b) { return Eigen::Vector3d(corner + across + a * along + b * up); }, nl, nh);  // right
   sheet(
       out, [&](double a, double b) { return Eigen::Vector3d(corner + up + a * along + b * across); }, nl, nw);  // top
-  return out;
+  return mesh;
 }
 
 std::vector<Triangle> tetrahedron_mesh(const ReferenceSurface& surface, const ObstacleSpec& o, double size) {
@@ -88,8 +108,10 @@ std::vector<Triangle> tetrahedron_mesh(const ReferenceSurface& surface, const Ob
   return out;
 }
 
-std::vector<Triangle> obstacle_mesh(const ReferenceSurface& surface, const ObstacleSpec& o, double size) {
-  return o.shape == ObstacleSpec::Shape::tetrahedron ? tetrahedron_mesh(surface, o, size) : cuboid_mesh(surface, o, size);
+ObstacleMesh obstacle_mesh(const ReferenceSurface& surface, const ObstacleSpec& o, double size,
+                           const std::vector<StressGaugeSpec>& gauges) {
+  if (o.shape == ObstacleSpec::Shape::tetrahedron) return {tetrahedron_mesh(surface, o, size), {}};
+  return cuboid_mesh(surface, o, size, gauges);
 }
 
 std::vector<Triangle> side_mesh(const ReferenceSurface& surface, double x0, double x1, double y, double height, double size) {

@@ -15,13 +15,21 @@ struct Patch {
 
 // The bed under a patch; edges at most `size` [m] long.
 std::vector<Triangle> bed_mesh(const ReferenceSurface&, const Patch&, double size);
+// An obstacle's triangles: those of each of its stress gauges, and all others.
+struct ObstacleMesh {
+  std::vector<Triangle> rest;
+  std::vector<std::vector<Triangle>> gauges;
+};
+
 // Five faces of a block that stands on the bed, axis along the normal at the middle of its footprint.
-std::vector<Triangle> cuboid_mesh(const ReferenceSurface&, const ObstacleSpec&, double size);
+ObstacleMesh cuboid_mesh(const ReferenceSurface&, const ObstacleSpec&, double size,
+                         const std::vector<StressGaugeSpec>& gauges = {});
 // The three upper faces of a wedge, its base on the tangent plane at the foot of its peak. The triangles turn their normal
 // (b - a) x (c - a) out of the body.
 std::vector<Triangle> tetrahedron_mesh(const ReferenceSurface&, const ObstacleSpec&, double size);
-// Whichever of them the obstacle is.
-std::vector<Triangle> obstacle_mesh(const ReferenceSurface&, const ObstacleSpec&, double size);
+// Whichever of them the obstacle is; only a cuboid has gauges.
+ObstacleMesh obstacle_mesh(const ReferenceSurface&, const ObstacleSpec&, double size,
+                           const std::vector<StressGaugeSpec>& gauges = {});
 // A wall that stands on the bed along y = const from x0 to x1, or along x = const from y0 to y1; `height` [m].
 std::vector<Triangle> side_mesh(const ReferenceSurface&, double x0, double x1, double y, double height, double size);
 std::vector<Triangle> end_mesh(const ReferenceSurface&, double x, double y0, double y1, double height, double size);

@@ -24,6 +24,20 @@ struct ForceMeasure {
   std::string kind;  // "control_volume" | "elevation" | "elevation_upstream" | "wall"
 };
 
+// A part of an obstacle's upstream face on which the grains' stresses are read.
+struct StressGauge {
+  int obstacle = 0;      // number
+  std::string of, name;  // the obstacle, the gauge
+  double area = 0;       // [m2]
+};
+
+// [Pa] mean over a window, by the grains on a gauge.
+struct GaugeStress {
+  double normal = 0;  // into the face
+  double up = 0;      // shear along the face's height
+  double across = 0;  // shear across the slope, to high y
+};
+
 struct RunStart {
   const Scene* scene = nullptr;
   const ReferenceSurface* surface = nullptr;
@@ -32,6 +46,7 @@ struct RunStart {
   std::vector<std::string> obstacles;
   int planes_obstacle = -1;  // number of the one that is made of planes; -1: none
   std::vector<ForceMeasure> measures;
+  std::vector<StressGauge> stress_gauges;  // those that are read
   std::vector<Effect> effects;
   double bulk_density = 0;  // [kg/m3] that both models use
 };
@@ -72,6 +87,7 @@ struct WindowReport {
   std::vector<ObstacleForce> obstacles;         // as RunStart::obstacles
   std::vector<GaugeReading> gauges;             // as the scene's record.gauges; empty in grains mode
   std::vector<std::array<double, 2>> measures;  // [N] mean over the window, (along, across) the slope; as RunStart::measures
+  std::vector<GaugeStress> stresses;            // as RunStart::stress_gauges
   long grains = 0, inserted = 0, returned = 0;  // now; since the start
   std::int64_t engine_steps = 0;
   std::int64_t solver_steps = 0, cell_updates = 0;

@@ -12,6 +12,7 @@
 #include "coupling/plan/release.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/refine.hpp"
+#include "coupling/scene/stress_gauge.hpp"
 #include "coupling/scene/units.hpp"
 
 namespace couloir {
@@ -22,6 +23,9 @@ namespace {
 constexpr double cell_updates_per_second = 3e7, noc_updates_per_second = 1.5e7, liggghts_per_second = 2.5e6,
                  yade_per_second = 0.6e6, rank_exponent = 0.77;
 constexpr double bytes_per_cell = 240, noc_bytes_per_cell = 700, bytes_per_grain = 2000;
+
+// [d] of a stress gauge's width: on fewer grains its stresses are those of single contacts.
+constexpr double few_grains = 5;
 
 std::string len(double value) {
   return short_quantity(value, Dimension::length);
@@ -86,6 +90,32 @@ void warn_of_absence(const Plan& plan, const Scene& scene, const auto& say) {
   } else if (plan.at_obstacle.time > scene.duration) {
     say(fmt::format("The middle of the flow is expected at {} after {:.3g} s, later than the run ends.", first.name,
                     plan.at_obstacle.time));
+  }
+}
+
+// Each gauge with what it will read.
+void list_stress_gauges(Plan& plan, const Scene& scene) {
+  for (const StressGaugeSpec& g : scene.stress_gauges) {
+    const ObstacleSpec& o = scene.obstacles[static_cast<std::size_t>(g.obstacle)];
+    const std::string name = o.name + "." + g.name;
+    if (scene.mode == Mode::continuum) {
+      plan.stress_gauges.push_back(
+          name + ": records nothing in mode continuum: a depth-averaged flow has no stress on a part of a face");
+      continue;
+    }
+    if (plan.zone && !plan.zone->box.holds(o)) {
+      plan.stress_gauges.push_back(fmt::format("{}: records nothing, since {} lies outside the zone of grains", name, o.name));
+      continue;
+    }
+    const GaugeBox b = gauge_box(g);
+    const double least = std::min(b.right - b.left, b.high - b.low), d = scene.grains.diameter;
+    const std::string shape =
+        g.radius > 0 ? fmt::format("round, {} across", len(2 * g.radius)) : fmt::format("{} by {}", len(g.width), len(g.height));
+    plan.stress_gauges.push_back(
+        fmt::format("{}: {}, {:.1f} grains wide: normal stress, shear up and across", name, shape, least / d));
+    if (least < few_grains * d)
+      plan.warnings.push_back(
+          fmt::format("Gauge {} is only {:.1f} grains wide: single contacts will show in its stresses.", name, least / d));
   }
 }
 
@@ -219,6 +249,7 @@ Plan make_plan(const Scene& scene) {
   }
   plan.time = plan.time_continuum + plan.time_engine;
   if (scene.mode != Mode::continuum) plan.replicates = scene.grains.replicates;
+  list_stress_gauges(plan, scene);
   check_limits(scene, plan);
   warn(plan, scene);
   return plan;

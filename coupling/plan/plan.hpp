@@ -40,6 +40,7 @@ struct Plan {
   double time_continuum = 0, time_engine = 0;  // [s] of one core at the speeds that plan.cpp states
   double time = 0;                             // [s] wall, both; of one packing
   int replicates = 1;                          // packings
+  std::vector<std::string> stress_gauges;      // a line each: what is read there, or why nothing is
   std::vector<std::string> warnings;           // whole sentences
 };
 

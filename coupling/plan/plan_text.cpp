@@ -63,6 +63,7 @@ std::string plan_text(const Plan& plan) {
     out += fmt::format("grains     about {} at once; {} engine steps of {:.3g} us\n",
                        plan.grains[static_cast<std::size_t>(plan.mode)], plan.engine_steps, plan.engine_dt * 1e6);
   }
+  for (const std::string& gauge : plan.stress_gauges) out += "gauge      " + gauge + "\n";
   out += fmt::format("cost       about {} (continuum {}, engine {}), {:.0f} MB; within a factor of {}\n", seconds(plan.time),
                      seconds(plan.time_continuum), seconds(plan.time_engine), plan.memory * 1e-6,
                      plan.followed_levels > 0 ? "ten: the mesh follows the flow" : "three");
@@ -112,6 +113,7 @@ nlohmann::json plan_json(const Plan& plan) {
   for (const Effect& effect : plan.effects) {
     json["effects"].push_back({{"name", effect.name}, {"on", effect.on}, {"reason", effect.reason}});
   }
+  json["stress_gauges"] = plan.stress_gauges;
   json["warnings"] = plan.warnings;
   return json;
 }

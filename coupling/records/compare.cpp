@@ -49,6 +49,12 @@ std::string first_difference(const RecordsReader& a, const RecordsReader& b) {
       const std::string text = difference("gauges/" + name + "/" + column, a.gauge(name, column), b.gauge(name, column));
       if (!text.empty()) return text;
     }
+  if (a.stress_gauges() != b.stress_gauges()) return "the stress gauges are not the same";
+  for (const std::string& name : a.stress_gauges())
+    for (const char* column : {"normal", "up", "across"}) {
+      const std::string text = difference("stresses/" + name + "/" + column, a.stress(name, column), b.stress(name, column));
+      if (!text.empty()) return text;
+    }
   const auto same = [](const ForceMeasure& p, const ForceMeasure& q) { return p.kind == q.kind && p.of == q.of; };
   const std::vector<ForceMeasure> measures = a.measures(), others = b.measures();
   if (!std::ranges::equal(measures, others, same)) return "the measures of force are not the same";

@@ -27,10 +27,13 @@ void ForcesCsv::on_start(const RunStart& start) {
   interval_ = start.scene->record.forces;
   impulse_.assign(start.obstacles.size(), Vec{});
   measured_.assign(start.measures.size(), {});
+  stressed_.assign(start.stress_gauges.size(), {});
   if (resumed_) return;
   std::string header = "time [s]";
   for (const std::string& name : start.obstacles) header += fmt::format(",{0} x [N],{0} y [N],{0} z [N]", name);
   for (const ForceMeasure& m : start.measures) header += fmt::format(",{0} {1} x [N],{0} {1} y [N]", m.of, m.kind);
+  for (const StressGauge& g : start.stress_gauges)
+    header += fmt::format(",{0} {1} normal [Pa],{0} {1} up [Pa],{0} {1} across [Pa]", g.of, g.name);
   file_.line(header);
 }
 
@@ -41,6 +44,12 @@ void ForcesCsv::on_window(const WindowReport& window) {
     for (int c = 0; c < 3; ++c) impulse_[k][c] += window.obstacles[k].force[c] * window.length;
   for (std::size_t k = 0; k < measured_.size() && k < window.measures.size(); ++k)
     for (int c : {0, 1}) measured_[k][c] += window.measures[k][c] * window.length;
+  for (std::size_t k = 0; k < stressed_.size() && k < window.stresses.size(); ++k) {
+    const GaugeStress& s = window.stresses[k];
+    stressed_[k].normal += s.normal * window.length;
+    stressed_[k].up += s.up * window.length;
+    stressed_[k].across += s.across * window.length;
+  }
   // A hair of slack: windows of 0.25 ms must make rows of 1 ms in spite of round-off.
   if (since_ >= interval_ * (1 - 1e-9)) write_row();
 }
@@ -58,6 +67,10 @@ void ForcesCsv::write_row() {
   }
   for (auto& impulse : measured_) {
     for (const double component : impulse) row += fmt::format(",{:.9g}", component / since_);
+    impulse = {};
+  }
+  for (GaugeStress& impulse : stressed_) {
+    for (const double component : {impulse.normal, impulse.up, impulse.across}) row += fmt::format(",{:.9g}", component / since_);
     impulse = {};
   }
   since_ = 0;

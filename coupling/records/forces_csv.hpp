@@ -13,7 +13,8 @@ namespace couloir {
 //
 //   time [s],wall x [N],wall y [N],wall z [N]      x along the slope, y across it, z along the normal
 //
-// then x and y of every other measure of force: wall control_volume x [N],...,downstream wall x [N],downstream wall y [N]
+// then x and y of every other measure of force: wall control_volume x [N],...,downstream wall x [N],downstream wall y [N], and
+// the stresses on each gauge: wall middle normal [Pa],wall middle up [Pa],wall middle across [Pa]
 class ForcesCsv : public Observer {
  public:
   // With `resume_time` the rows after it are dropped and writing goes on. Throws RecordError.
@@ -31,6 +32,7 @@ class ForcesCsv : public Observer {
   double time_ = 0, since_ = 0;                  // [s] now; covered by impulse_
   std::vector<Vec> impulse_;                     // [N s] since the last row
   std::vector<std::array<double, 2>> measured_;  // the same by the other measures
+  std::vector<GaugeStress> stressed_;            // [Pa s]
 };
 
 }  // namespace couloir

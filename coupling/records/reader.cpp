@@ -149,6 +149,20 @@ std::vector<double> RecordsReader::measure(const ForceMeasure& m, const std::str
   return h5::numbers(file_, "measures/" + m.kind + "/" + m.of + "/" + column);
 }
 
+std::vector<std::string> RecordsReader::stress_gauges() const {
+  std::vector<std::string> out;
+  if (!h5::exists(file_, "stresses")) return out;
+  const h5::Handle all = h5::create_group(file_, "stresses");
+  for (const std::string& of : h5::children(all)) {
+    for (const std::string& name : h5::children(h5::create_group(all, of))) out.push_back(of + "/" + name);
+  }
+  return out;
+}
+
+std::vector<double> RecordsReader::stress(const std::string& gauge, const std::string& column) const {
+  return h5::numbers(file_, "stresses/" + gauge + "/" + column);
+}
+
 std::vector<Event> RecordsReader::events() const {
   const std::vector<double> times = h5::numbers(file_, "events/time");
   const std::vector<std::string> what = h5::texts(file_, "events/text");

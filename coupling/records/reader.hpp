@@ -38,6 +38,9 @@ class RecordsReader {
   std::vector<std::string> planes() const;                                              // obstacles of method planes
   std::vector<double> planes(const std::string& obstacle, const std::string& column) const;  // "overflow", "heap" or "climbed"
   std::vector<double> measure(const ForceMeasure&, const std::string& column) const;         // "fx" or "fy"
+  // "<obstacle>/<gauge>" of each stress gauge; "normal", "up" or "across".
+  std::vector<std::string> stress_gauges() const;
+  std::vector<double> stress(const std::string& gauge, const std::string& column) const;
   std::vector<Event> events() const;
 
  private:

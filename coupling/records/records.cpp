@@ -159,6 +159,14 @@ void Records::open_series(const RunStart& start) {
     measures_.push_back({h5::Series(group, "fx", {"N", "force along the slope by this measure, mean over the window"}),
                          h5::Series(group, "fy", {"N", "force across the slope by this measure, mean over the window"})});
   }
+  const h5::Handle stresses = h5::create_group(file_, "stresses");
+  for (const StressGauge& g : start.stress_gauges) {
+    const h5::Handle group = h5::create_group(h5::create_group(stresses, g.of), g.name);
+    h5::put_attribute(group, "area", g.area);  // [m2]
+    stresses_.push_back({h5::Series(group, "normal", {"Pa", "by the grains into the face, mean over the window"}),
+                         h5::Series(group, "up", {"Pa", "shear along the face's height, mean over the window"}),
+                         h5::Series(group, "across", {"Pa", "shear across the slope, mean over the window"})});
+  }
   const h5::Handle events = h5::create_group(file_, "events");
   event_time_.emplace(events, "time", h5::Meaning{"s", "when"});
   event_text_.emplace(events, "text", h5::Meaning{"", "what happened, and why"});
@@ -178,6 +186,7 @@ void Records::drop_after(double time) {
   for (GaugeColumns& g : gauges_)
     for (h5::Series* series : {&g.time, &g.depth, &g.along, &g.across}) series->keep(windows);
   for (MeasureColumns& m : measures_) m.fx.keep(windows), m.fy.keep(windows);
+  for (StressColumns& s : stresses_) s.normal.keep(windows), s.up.keep(windows), s.across.keep(windows);
   if (planes_)
     for (h5::Series* series : {&planes_->overflow, &planes_->heap, &planes_->climbed}) series->keep(windows);
   event_time_->keep(events);
@@ -210,6 +219,11 @@ void Records::on_window(const WindowReport& window) {
     measures_[k].fx.add(window.measures[k][0]);
     measures_[k].fy.add(window.measures[k][1]);
   }
+  for (std::size_t k = 0; k < stresses_.size() && k < window.stresses.size(); ++k) {
+    stresses_[k].normal.add(window.stresses[k].normal);
+    stresses_[k].up.add(window.stresses[k].up);
+    stresses_[k].across.add(window.stresses[k].across);
+  }
   if (planes_) {
     const ObstacleForce& o = window.obstacles[planes_obstacle_];
     planes_->overflow.add(o.overflow);
@@ -230,6 +244,7 @@ void Records::write_waiting() {
   for (GaugeColumns& g : gauges_)
     for (h5::Series* series : {&g.time, &g.depth, &g.along, &g.across}) series->write();
   for (MeasureColumns& m : measures_) m.fx.write(), m.fy.write();
+  for (StressColumns& s : stresses_) s.normal.write(), s.up.write(), s.across.write();
   if (planes_)
     for (h5::Series* series : {&planes_->overflow, &planes_->heap, &planes_->climbed}) series->write();
   event_time_->write();

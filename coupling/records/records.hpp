@@ -14,6 +14,7 @@
 //   /forces/<obstacle>/{time,fx,fy,fz,depth_on_top}        one row a window
 //   /planes/<obstacle>/{overflow,heap,climbed}             one row a window, of an obstacle of method planes
 //   /gauges/<name>/{time,depth,velocity_along,velocity_across}    one row a window
+//   /stresses/<obstacle>/<gauge>/{normal,up,across}        one row a window; attribute: area
 //   /measures/<kind>/<of>/{fx,fy}                          one row a window: force by other measures, force_measures.hpp
 //   /events/{time,text}
 //
@@ -55,6 +56,9 @@ class Records : public Observer {
     h5::Series fx, fy;
   };
 
+  struct StressColumns {
+    h5::Series normal, up, across;
+  };
   struct GaugeColumns {
     h5::Series time, depth, along, across;
   };
@@ -86,6 +90,7 @@ class Records : public Observer {
   std::optional<PlanesColumns> planes_;
   std::vector<GaugeColumns> gauges_;
   std::vector<MeasureColumns> measures_;
+  std::vector<StressColumns> stresses_;
   std::optional<h5::Series> event_time_;
   std::optional<h5::TextSeries> event_text_;
 };

@@ -29,6 +29,23 @@ Json time_json(const RunEnd& end, double simulated) {
   return time;
 }
 
+Json stress_json(double area, const ForceSeries& normal, const ForceSeries& up, const ForceSeries& across) {
+  const double contact = normal.figures().first_contact;
+  Json out{{"area", area}, {"first_contact", contact >= 0 ? Json(contact) : Json()}};
+  const std::pair<const char*, const ForceSeries*> stresses[] = {
+      {"normal", &normal}, {"shear_up", &up}, {"shear_across", &across}};
+  for (const auto& [name, series] : stresses) {
+    const ForceFigures f = series->figures();
+    const std::string of = name;
+    out[of + "_peak"] = f.peak;
+    out[of + "_peak_time"] = f.peak_time;
+    out[of + "_mean"] = f.mean;
+    out[of + "_final"] = f.final;
+    out[of + "_impulse"] = f.impulse;
+  }
+  return out;
+}
+
 // Out of the domain through this side.
 double outward(const std::string& side, const std::array<double, 2>& f) {
   if (side == "upstream") return -f[0];
@@ -55,6 +72,12 @@ void Summary::on_start(const RunStart& start) {
   if (has_continuum_)
     for (const GaugeSpec& gauge : scene.record.gauges) gauges_.push_back({gauge.name, GaugeSeries(arrival_depth(scene))});
   for (const ForceMeasure& m : start.measures) measures_.push_back({m, {}, 0});
+  for (const StressGauge& g : start.stress_gauges) stresses_.push_back({g, {}, {}, {}});
+  for (const StressGaugeSpec& g : scene.stress_gauges) {
+    const std::string& of = scene.obstacles[std::size_t(g.obstacle)].name;
+    const auto same = [&](const StressGauge& read) { return read.of == of && read.name == g.name; };
+    if (std::ranges::none_of(start.stress_gauges, same)) unread_.emplace_back(of, g.name);
+  }
   planes_ = start.planes_obstacle;
   if (resume_time_ >= 0) read_back();
 }
@@ -82,6 +105,11 @@ void Summary::read_back() {
     gauges.push_back({run.gauge(g.name, "depth"), run.gauge(g.name, "velocity_along"), run.gauge(g.name, "velocity_across")});
   std::vector<std::array<std::vector<double>, 2>> measures;
   for (const Measure& m : measures_) measures.push_back({run.measure(m.what, "fx"), run.measure(m.what, "fy")});
+  std::vector<std::array<std::vector<double>, 3>> stresses;
+  for (const Stresses& s : stresses_) {
+    const std::string gauge = s.what.of + "/" + s.what.name;
+    stresses.push_back({run.stress(gauge, "normal"), run.stress(gauge, "up"), run.stress(gauge, "across")});
+  }
   for (std::size_t k = 0; k < time.size() && time[k] <= until; ++k) {
     WindowReport window;
     window.time = time[k], window.length = length[k];
@@ -95,6 +123,7 @@ void Summary::read_back() {
     }
     for (const auto& g : gauges) window.gauges.push_back({g[0][k], g[1][k], g[2][k]});
     for (const auto& f : measures) window.measures.push_back({f[0][k], f[1][k]});
+    for (const auto& s : stresses) window.stresses.push_back({s[0][k], s[1][k], s[2][k]});
     mass_error_ = std::max(mass_error_, error[k]);
     take(window);
   }
@@ -128,6 +157,17 @@ void Summary::take(const WindowReport& window) {
   for (std::size_t k = 0; k < gauges_.size() && k < window.gauges.size(); ++k)
     gauges_[k].series.add(window.time, window.length, window.gauges[k]);
   take_measures(window);
+  take_stresses(window);
+}
+
+void Summary::take_stresses(const WindowReport& window) {
+  for (std::size_t k = 0; k < stresses_.size() && k < window.stresses.size(); ++k) {
+    const GaugeStress& s = window.stresses[k];
+    const bool contact = s.normal != 0 || s.up != 0 || s.across != 0;
+    stresses_[k].normal.add(window.time, window.length, s.normal, contact);
+    stresses_[k].up.add(window.time, window.length, s.up, contact);
+    stresses_[k].across.add(window.time, window.length, s.across, contact);
+  }
 }
 
 void Summary::take_measures(const WindowReport& window) {
@@ -203,6 +243,12 @@ std::string Summary::made(const RunEnd& end) const {
   if (planes_ >= 0) {
     out["obstacles"][obstacles_[planes_].name].update(
         {{"overflow", overflow_}, {"max_heap", max_heap_}, {"max_climbed", max_climbed_}});
+  }
+  for (const Stresses& s : stresses_)
+    out["obstacles"][s.what.of]["gauges"][s.what.name] = stress_json(s.what.area, s.normal, s.up, s.across);
+  for (const auto& [of, name] : unread_) {
+    Json& gauge = out["obstacles"][of]["gauges"][name] = stress_json(0, {}, {}, {});
+    for (auto& figure : gauge) figure = Json();
   }
   out["gauges"] = Json::object();
   for (const Gauge& gauge : gauges_) {

@@ -17,6 +17,9 @@
 //             .max_depth_on_top, .depth_on_top_final [m]: greatest depth on its top, over the run and at the end
 //             method planes also: .overflow [kg] over its upper edges, .max_heap [m] on the slope along its foot, .max_climbed
 //             [m]
+//   obstacles.<name>.gauges.<gauge> .area [m2]; .first_contact (null: never); of the stresses normal, shear_up and shear_across
+//             .<stress>_peak of the 15 ms mean, ._peak_time, ._mean since the first contact, ._final of the last 50 ms [Pa],
+//             ._impulse [Pa s]; null where no grains meet the obstacle (loop/stress_gauges.hpp)
 //   gauges.<name> .max_depth, .max_depth_time, .depth_final, .depth_mean, .velocity_mean, .max_speed, .arrival (null: never):
 //             gauge_series.hpp; arrived is a flow of 1 % of the greatest depth of release and inflows; none in grains mode
 //   obstacles.<name>.<kind>, walls.<side>  the force by other measures (loop/force_measures.hpp): .maximum, the largest window's
@@ -50,6 +53,7 @@ class Summary : public Observer {
  private:
   void take(const WindowReport&);
   void take_measures(const WindowReport&);
+  void take_stresses(const WindowReport&);
   void read_back();
 
   struct Obstacle {
@@ -60,6 +64,11 @@ class Summary : public Observer {
   struct Gauge {
     std::string name;
     GaugeSeries series;
+  };
+
+  struct Stresses {
+    StressGauge what;
+    ForceSeries normal, up, across;  // [Pa]
   };
 
   struct Measure {
@@ -79,6 +88,8 @@ class Summary : public Observer {
   double overflow_ = 0, max_heap_ = 0, max_climbed_ = 0;
   std::vector<Gauge> gauges_;
   std::vector<Measure> measures_;
+  std::vector<Stresses> stresses_;
+  std::vector<std::pair<std::string, std::string>> unread_;  // gauges that no grains meet: obstacle, name
   std::vector<Effect> effects_;
   std::vector<Event> events_;
   WindowReport last_;

@@ -126,10 +126,10 @@ class Binder {
         section(node, key, full, index);
         break;
       case ValueKind::named:
-        named(node, key, full);
+        named(node, key, full, index);
         break;
       case ValueKind::list:
-        list(node, key, full);
+        list(node, key, full, index);
         break;
     }
   }
@@ -241,7 +241,7 @@ class Binder {
   }
 
   // A mapping whose names are the user's.
-  void named(const Node& node, const Key& key, const std::string& full) {
+  void named(const Node& node, const Key& key, const std::string& full, int of) {
     if (node.kind != Node::Kind::mapping && node.kind != Node::Kind::nothing) {
       fail(node, full, fmt::format("is {}, but must be {}", describe(node), wanted(key)));
     }
@@ -249,13 +249,13 @@ class Binder {
       const std::string path = joined(full, name);
       refuse_bad_name(name, entry, path);
       if (entry.kind != Node::Kind::mapping) fail(entry, path, fmt::format("is {}, but must be a mapping", describe(entry)));
-      key.append(scene_, name);
+      const int index = key.append(scene_, of, name);
       scene_.places.note(path, entry.place);
-      mapping(entry, key.path + ".*", path, static_cast<int>(key.names(scene_).size()) - 1);
+      mapping(entry, key.path + ".*", path, index);
     }
   }
 
-  void list(const Node& node, const Key& key, const std::string& full) {
+  void list(const Node& node, const Key& key, const std::string& full, int of) {
     if (node.kind != Node::Kind::list && node.kind != Node::Kind::nothing) {
       const char* brackets = node.kind == Node::Kind::mapping ? "; put it in brackets: [{...}]" : "";
       fail(node, full, fmt::format("is {}, but must be {}{}", describe(node), wanted(key), brackets));
@@ -266,9 +266,9 @@ class Binder {
       if (item.kind != Node::Kind::mapping) {
         fail(item, path, fmt::format("is {}, but must be a mapping with {}", describe(item), keys_of(key.path + ".*")));
       }
-      key.append(scene_, "");
+      const int index = key.append(scene_, of, "");
       scene_.places.note(path, item.place);
-      mapping(item, key.path + ".*", path, static_cast<int>(n));
+      mapping(item, key.path + ".*", path, index);
     }
   }
 

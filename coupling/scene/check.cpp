@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "coupling/scene/check_engine.hpp"
+#include "coupling/scene/check_gauges.hpp"
 #include "coupling/scene/check_mesh.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/release_shape.hpp"
@@ -387,6 +388,7 @@ void check_scene(const Scene& scene) {
   check_refinement(scene);
   check.gauges();
   check.diameter();
+  check_stress_gauges(scene);
   check_engine(scene);
   check.zone();
   check.zone_holds_some_obstacle();

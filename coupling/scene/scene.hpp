@@ -77,6 +77,15 @@ struct ObstacleSpec {
   double crest_width() const;             // [m] ... and the obstacle's width there
 };
 
+// A part of a cuboid's upstream face on which the grains' stresses are read; stress_gauge.hpp has its outline.
+struct StressGaugeSpec {
+  std::string name;
+  int obstacle = 0;              // number
+  double across = 0, up = 0;     // [m] its middle: from the face's middle to high y; over the face's foot
+  double width = 0, height = 0;  // [m] of a rectangle
+  double radius = 0;             // [m] of a round one; 0: a rectangle
+};
+
 struct InflowRow {
   double time = 0, depth = 0, velocity = 0;  // [s], [m], [m/s]
 };
@@ -185,7 +194,8 @@ struct Scene {
   Material material;
   ReleaseSpec release;
   std::vector<ObstacleSpec> obstacles;
-  std::array<SideSpec, 4> sides{};  // upstream, downstream, left, right
+  std::vector<StressGaugeSpec> stress_gauges;  // obstacle by obstacle
+  std::array<SideSpec, 4> sides{};             // upstream, downstream, left, right
   ContinuumSpec continuum;
   GrainSpec grains;
   RecordSpec record;

@@ -115,6 +115,44 @@ void add_release(Keys& k) {
             .when("kind", {"cap", "ellipsoid", "block"}));
 }
 
+void add_stress_gauges(Keys& k) {
+  const auto centre = [](auto& s, int i) {
+    auto& g = s.stress_gauges[i];
+    return std::tie(g.across, g.up);
+  };
+  const auto size = [](auto& s, int i) {
+    auto& g = s.stress_gauges[i];
+    return std::tie(g.width, g.height);
+  };
+  KeyBuilder gauges = named(
+      "obstacles.*.gauges",
+      "parts of a cuboid's upstream face on which the grains' normal and shear stresses are recorded; modes coupled and grains",
+      [](auto& s) -> auto& { return s.stress_gauges; });
+  gauges.key().entries = [](const Scene& s, int of) {
+    std::vector<Entry> entries;
+    for (std::size_t n = 0; n < s.stress_gauges.size(); ++n) {
+      if (s.stress_gauges[n].obstacle == of) entries.push_back({s.stress_gauges[n].name, static_cast<int>(n)});
+    }
+    return entries;
+  };
+  gauges.key().append = [append = gauges.key().append](Scene& s, int of, const std::string& name) {
+    const int index = append(s, of, name);
+    s.stress_gauges[index].obstacle = of;
+    return index;
+  };
+  k.add(gauges);
+  k.add(numbers("obstacles.*.gauges.*.centre", length,
+                "[across, up] its middle: from the face's middle to high y, and over the face's foot", centre)
+            .required());
+  k.add(numbers("obstacles.*.gauges.*.size", length, "[across, up] of a rectangle; or give a radius", size).above(0).optional());
+  k.add(number(
+            "obstacles.*.gauges.*.radius", length,
+            "of a round one: a polygon of 16 sides around it is taken, its area 1.3 % larger",
+            [](auto& s, int i) -> auto& { return s.stress_gauges[i].radius; })
+            .above(0)
+            .optional());
+}
+
 void add_obstacles(Keys& k) {
   const auto position = [](auto& s, int i) {
     auto& o = s.obstacles[i];
@@ -169,6 +207,7 @@ void add_obstacles(Keys& k) {
             "obstacles.*.overflow", "what to do when material comes over the upper edges, which the method cannot describe",
             {"warn", "error"}, [](auto& s, int i) -> auto& { return s.obstacles[i].overflow; })
             .when("method", {"planes"}));
+  add_stress_gauges(k);
 }
 
 void add_inflow(Keys& k, const std::string& path, int side) {

@@ -39,6 +39,12 @@ enum class Presence {
   optional,   // may be missing, has no default; written only where it is not 0
 };
 
+// Of a named mapping, or of a list, whose entries have no names.
+struct Entry {
+  std::string name;
+  int index = 0;
+};
+
 struct Key {
   std::string path;  // "terrain.angle", "obstacles.*.size"
   ValueKind kind = ValueKind::number;
@@ -55,14 +61,14 @@ struct Key {
   bool written = true;                // by write_scene
   bool scaled = true;                 // bare numbers are multiples of the scene's scales, where it has some
 
-  // `index` counts the entries of a named mapping or a list (obstacles, gauges); 0 elsewhere. A mapping's value is the word given
-  // instead of it, or empty. No accessors: the reader's own (scales).
+  // `index` counts the entries of the innermost named mapping or list (obstacles, gauges), over all that hold such; 0 elsewhere.
+  // A mapping's value is the word given instead of it, or empty. No accessors: the reader's own (scales).
   std::function<Value(const Scene&, int index)> get;
   std::function<void(Scene&, int index, const Value&)> set;
   std::function<void(Scene&, int index)> enter;  // when a mapping is opened
-  // A named mapping: its names, and a new entry of this name. A list: as many empty names.
-  std::function<std::vector<std::string>(const Scene&)> names;
-  std::function<void(Scene&, const std::string& name)> append;
+  // A named mapping or a list within entry `of` of the one around it: its entries; a new one of this name, and its index.
+  std::function<std::vector<Entry>(const Scene&, int of)> entries;
+  std::function<int(Scene&, int of, const std::string& name)> append;
 
   std::string parent() const;  // "terrain"; empty for a key of the file itself
   std::string name() const;    // "angle"

@@ -80,12 +80,15 @@ inline KeyBuilder mapping(const std::string& path, const std::string& help) {
 template <class At>
 KeyBuilder named(const std::string& path, const std::string& help, At at) {
   KeyBuilder builder(path, ValueKind::named, help);
-  builder.key().names = [at](const Scene& s) {
-    std::vector<std::string> names;
-    for (const auto& entry : at(s)) names.push_back(entry.name);
-    return names;
+  builder.key().entries = [at](const Scene& s, int) {
+    std::vector<Entry> entries;
+    for (const auto& entry : at(s)) entries.push_back({entry.name, static_cast<int>(entries.size())});
+    return entries;
   };
-  builder.key().append = [at](Scene& s, const std::string& name) { at(s).emplace_back().name = name; };
+  builder.key().append = [at](Scene& s, int, const std::string& name) {
+    at(s).emplace_back().name = name;
+    return static_cast<int>(at(s).size()) - 1;
+  };
   return builder;
 }
 
@@ -93,8 +96,15 @@ KeyBuilder named(const std::string& path, const std::string& help, At at) {
 template <class At>
 KeyBuilder list(const std::string& path, const std::string& help, At at) {
   KeyBuilder builder(path, ValueKind::list, help);
-  builder.key().names = [at](const Scene& s) { return std::vector<std::string>(at(s).size()); };
-  builder.key().append = [at](Scene& s, const std::string&) { at(s).emplace_back(); };
+  builder.key().entries = [at](const Scene& s, int) {
+    std::vector<Entry> entries(at(s).size());
+    for (std::size_t n = 0; n < entries.size(); ++n) entries[n].index = static_cast<int>(n);
+    return entries;
+  };
+  builder.key().append = [at](Scene& s, int, const std::string&) {
+    at(s).emplace_back();
+    return static_cast<int>(at(s).size()) - 1;
+  };
   return builder;
 }
 

@@ -67,22 +67,22 @@ void write_mapping(std::string& out, const Scene& scene, const std::string& patt
   for (const Key* key : children(pattern)) {
     if (!key->written || !belongs(scene, *key, index)) continue;
     if (key->kind == ValueKind::named) {
-      const std::vector<std::string> names = key->names(scene);
-      if (names.empty()) continue;
+      const std::vector<Entry> entries = key->entries(scene, index);
+      if (entries.empty()) continue;
       out += fmt::format("{}{}:\n", indent, key->name());
-      for (std::size_t n = 0; n < names.size(); ++n) {
-        out += fmt::format("{}  {}:\n", indent, quoted(names[n]));
-        write_mapping(out, scene, key->path + ".*", static_cast<int>(n), depth + 2);
+      for (const Entry& e : entries) {
+        out += fmt::format("{}  {}:\n", indent, quoted(e.name));
+        write_mapping(out, scene, key->path + ".*", e.index, depth + 2);
       }
       continue;
     }
     if (key->kind == ValueKind::list) {
-      const std::size_t entries = key->names(scene).size();
-      if (entries == 0) continue;
+      const std::vector<Entry> entries = key->entries(scene, index);
+      if (entries.empty()) continue;
       out += fmt::format("{}{}:\n", indent, key->name());
-      for (std::size_t n = 0; n < entries; ++n) {
+      for (const Entry& e : entries) {
         std::string entry;
-        write_mapping(entry, scene, key->path + ".*", static_cast<int>(n), depth + 2);
+        write_mapping(entry, scene, key->path + ".*", e.index, depth + 2);
         entry[indent.size() + 2] = '-';
         out += entry;
       }

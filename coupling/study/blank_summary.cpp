@@ -4,6 +4,7 @@
 
 #include "coupling/loop/flow_models.hpp"
 #include "coupling/loop/force_measures.hpp"
+#include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/zone.hpp"
 #include "coupling/records/summary.hpp"
 
@@ -17,6 +18,7 @@ nlohmann::json blank_summary(const Scene& scene) {
   start.measures = wall_measures(scene);
   std::optional<ZoneBox> zone;
   if (scene.mode == Mode::coupled) zone = planned_zone(scene).box;
+  start.stress_gauges = stress_gauges(scene, zone ? &*zone : nullptr);
   for (const ObstacleSpec& o : scene.obstacles) {
     start.obstacles.push_back(o.name);
     if (scene.mode == Mode::grains || (zone && !zone->apart(o))) continue;

@@ -165,6 +165,10 @@ TEST(CaseUnit, KnowsScalesAndForces) {
   EXPECT_EQ(quantity_of_path("obstacles.wall.force_peak_time"), "a time");
   EXPECT_EQ(quantity_of_path("obstacles.wall.depth_on_top_final"), "a length");
   EXPECT_EQ(quantity_of_path("obstacles.wall.max_climbed"), "a length");
+  EXPECT_EQ(quantity_of_path("obstacles.wall.gauges.middle.normal_peak"), "a pressure");
+  EXPECT_EQ(quantity_of_path("obstacles.wall.gauges.middle.shear_up_final"), "a pressure");
+  EXPECT_EQ(quantity_of_path("obstacles.wall.gauges.middle.normal_peak_time"), "a time");
+  EXPECT_EQ(quantity_of_path("obstacles.wall.gauges.middle.normal_impulse"), "");
   EXPECT_EQ(quantity_of_path("obstacles.wall.overflow"), "a mass");
 }
 

@@ -30,7 +30,7 @@ TEST(Meshes, BedFollowsTheArc) {
 TEST(Meshes, CuboidHasFiveFacesAndStandsOnTheBed) {
   ObstacleSpec o{"wall", 0.4, 0, 0.01, 0.06, 0.04};
   const auto surface = ReferenceSurface::incline(0.6, 1);
-  const auto mesh = cuboid_mesh(surface, o, 0.02);
+  const auto mesh = cuboid_mesh(surface, o, 0.02).rest;
   EXPECT_NEAR(area(mesh), 2 * 0.06 * 0.04 + 2 * 0.01 * 0.04 + 0.01 * 0.06, 1e-12);
   double low = 1, high = 0, first = 1, last = 0;
   for (const Triangle& t : mesh)
@@ -49,7 +49,7 @@ TEST(Meshes, TetrahedronHasThreeFacesThatLookOut) {
   ObstacleSpec o{"wedge", 0.65, 0.02, std::sqrt(3.0) / 2 * 0.16, 0.16, 0.08, ObstacleSpec::Shape::tetrahedron};
   const auto surface = ReferenceSurface::incline(0.7, 1);
   for (const double size : {1.0, 0.03}) {
-    const auto mesh = obstacle_mesh(surface, o, size);
+    const auto mesh = obstacle_mesh(surface, o, size).rest;
     EXPECT_EQ(mesh.size() == 3, size == 1.0);
     const double xc = 0.65 + 0.16 / std::sqrt(3.0), apothem = o.length - 0.16 / std::sqrt(3.0);
     EXPECT_NEAR(area(mesh), 3 * 0.5 * 0.16 * std::hypot(apothem, 0.08), 1e-12);

@@ -178,9 +178,11 @@ TEST(Effects, OfEveryExperiment) {
     return names;
   };
   const std::map<std::string, Names> expected{
+      {"chiou_gauge", with(with(chute, grains), {"solid_bodies"})},
       {"chiou_refinement", with(chute, {"steps_of_the_bed"})},
       {"chiou_vestolen", with(chute, {"steps_of_the_bed"})},
       {"chiou_wall", with(with(chute, grains), {"solid_bodies"})},
+      {"chiou_wall_quartz", {"across_slope", "gravity_along_slope", "solid_bodies", "grain_engine", "rolling_friction"}},
       {"cuboid_force", with(chute, {"steps_of_the_bed"})},
       {"eta_study", with(chute, {"planes"})},
       {"flume_continuum", {"depth_averaged_flow", "across_slope", "gravity_along_slope", "earth_pressure", "basal_friction"}},

@@ -46,6 +46,28 @@ TEST(Plan, SaysTheScheme) {
   EXPECT_DOUBLE_EQ(plan.dt, 2 * upwind.dt);  // a step of noc is a pair
 }
 
+TEST(Plan, TellsWhatStressGaugesRead) {
+  const auto plan = [](Overrides more) {
+    more.insert(more.begin(), {"obstacles.wall.gauges", "{m: {centre: [0, 40 mm], radius: 20 mm}}"});
+    return make_plan(experiment("chiou_wall", more));
+  };
+  const auto text = [&](const Overrides& more) { return plan_text(plan(more)); };
+  EXPECT_THAT(text({}),
+              HasSubstr("gauge      wall.m: round, 40 mm across, 10.0 grains wide: normal stress, shear up and across\n"));
+  EXPECT_THAT(
+      text({{"mode", "continuum"}}),
+      HasSubstr(
+          "gauge      wall.m: records nothing in mode continuum: a depth-averaged flow has no stress on a part of a face\n"));
+  const Overrides aside{{"obstacles.post", "{position: [0.8 m, 0.2 m], size: [20 mm, 60 mm, 40 mm]}"},
+                        {"obstacles.post.gauges", "{m: {centre: [0, 20 mm], size: [20 mm, 12 mm]}}"},
+                        {"grains.zone", "{x: [0.5 m, 0.7 m], y: [-0.12 m, 0.12 m]}"}};
+  EXPECT_THAT(text(aside), HasSubstr("gauge      post.m: records nothing, since post lies outside the zone of grains\n"));
+  const Plan narrow = plan({{"mode", "grains"}, {"obstacles.wall.gauges", "{m: {centre: [0, 40 mm], size: [20 mm, 10 mm]}}"}});
+  EXPECT_THAT(narrow.warnings, Contains("Gauge wall.m is only 2.5 grains wide: single contacts will show in its stresses."));
+  EXPECT_EQ(plan_json(narrow)["stress_gauges"][0], "wall.m: 20 mm by 10 mm, 2.5 grains wide: normal stress, shear up and across");
+  EXPECT_THAT(plan({}).warnings, Not(Contains(HasSubstr("Gauge"))));
+}
+
 TEST(Plan, ContinuumHasNoEngine) {
   const Plan plan = make_plan(experiment("chiou_wall", {{"mode", "continuum"}}));
   EXPECT_EQ(plan.engine_dt, 0);

@@ -165,6 +165,41 @@ TEST(Summary, HoldsTheKeysOfTheContract) {
   EXPECT_FALSE(side.contains("impulse_across"));
 }
 
+TEST(Summary, HasTheStressesOnGauges) {
+  const TemporaryFolder folder;
+  SyntheticRun run(Mode::coupled);
+  run.stresses = true;
+  run.scene.stress_gauges = {{"middle", 0, 0, 0.03, 0, 0, 0.02}, {"unread", 0, 0.05, 0.03, 0.01, 0.01, 0}};
+  record(run, folder / "a");
+  const auto wall = nlohmann::json::parse(read_text(folder / "a/summary.json"))["obstacles"]["wall"];
+  const auto& middle = wall["gauges"]["middle"];
+  EXPECT_EQ(middle["area"], 1.5e-3);
+  EXPECT_NEAR(middle["first_contact"], 0.1, 1e-9);
+  for (const auto& [stress, times] : {std::pair{"normal", 2.0}, {"shear_up", -0.5}, {"shear_across", 0.1}}) {
+    const std::string of = stress;
+    for (const char* figure : {"peak", "mean", "final"})
+      EXPECT_NEAR(middle[of + "_" + figure], times * wall[std::string("force_") + figure].get<double>(), 1e-12) << of << figure;
+    EXPECT_NEAR(middle[of + "_impulse"], times * wall["impulse"].get<double>(), 1e-12);
+    EXPECT_EQ(middle[of + "_peak_time"], wall["force_peak_time"]);
+  }
+  ASSERT_TRUE(wall["gauges"].contains("unread"));
+  EXPECT_EQ(wall["gauges"]["unread"].size(), middle.size());
+  for (const auto& figure : wall["gauges"]["unread"]) EXPECT_TRUE(figure.is_null());
+  const std::string csv = read_text(folder / "a/forces.csv");
+  EXPECT_THAT(csv, HasSubstr(",left wall y [N],wall middle normal [Pa],wall middle up [Pa],wall middle across [Pa]\n"));
+  std::istringstream lines(csv);
+  std::string line;
+  while (std::getline(lines, line) && line.substr(0, 3) != "0.2") {
+  }
+  std::istringstream cells(line);
+  std::vector<double> row;
+  for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+  ASSERT_EQ(row.size(), 11u);
+  EXPECT_NEAR(row[8], 2 * row[1], 1e-6);
+  EXPECT_NEAR(row[9], -0.5 * row[1], 1e-6);
+  EXPECT_NEAR(row[10], 0.1 * row[1], 1e-6);
+}
+
 TEST(Summary, TellsOfAnInterruptedRun) {
   const TemporaryFolder folder;
   Summary summary(folder / "summary.json");
@@ -183,6 +218,7 @@ TEST(Summary, OfAContinuedRunIsThatOfTheWhole) {
     const TemporaryFolder folder;
     SyntheticRun run(planes ? Mode::continuum : Mode::coupled);
     run.planes = planes;
+    run.stresses = !planes;
     record(run, folder / "a");
     Summary summary(folder / "continued.json", folder / "a/records.h5", 0.15);
     run.play({&summary}, 0.15);

@@ -134,7 +134,7 @@ herr_t find_silent(hid_t parent, const char* name, const H5O_info_t* info, void*
 TEST(Records, ExplainEveryDataset) {
   const TemporaryFolder folder;
   SyntheticRun run(Mode::coupled);
-  run.refined = true;
+  run.refined = run.stresses = true;
   record(run, folder / "a");
   const h5::Handle file = h5::open_file(folder / "a/records.h5", false);
   std::pair<int, std::string> found{0, ""};
@@ -150,9 +150,11 @@ TEST(Records, WithoutMeasuresAreRead) {
   {
     const h5::Handle file = h5::open_file(folder / "a/records.h5", true);
     ASSERT_GE(H5Ldelete(file, "measures", H5P_DEFAULT), 0);
+    ASSERT_GE(H5Ldelete(file, "stresses", H5P_DEFAULT), 0);
     h5::flush(file, "a");
   }
   EXPECT_TRUE(RecordsReader(folder / "a/records.h5").measures().empty());
+  EXPECT_TRUE(RecordsReader(folder / "a/records.h5").stress_gauges().empty());
 }
 
 TEST(Records, OfGrainsAloneHaveNoFlow) {
@@ -176,6 +178,28 @@ TEST(Records, OfTheSameRunAreTheSame) {
   EXPECT_EQ(distance(a, c).depth, 0);
   EXPECT_NEAR(distance(a, c).impulse, 0.01 / 1.01, 1e-12);
   EXPECT_EQ(distance(a, c).common_frames, 11);
+}
+
+TEST(Records, DifferencesOfStressesAreSeen) {
+  const TemporaryFolder folder;
+  SyntheticRun run(Mode::coupled);
+  record(run, folder / "without");
+  run.stresses = true;
+  record(run, folder / "a");
+  record(run, folder / "b");
+  const std::string path = folder / "b/records.h5";
+  const RecordsReader a(folder / "a/records.h5"), without(folder / "without/records.h5");
+  EXPECT_EQ(first_difference(a, RecordsReader(path)), "");
+  EXPECT_EQ(first_difference(a, without), "the stress gauges are not the same");
+  {
+    const h5::Handle file = h5::open_file(path, true);
+    const h5::Handle set(H5Dopen2(file, "stresses/wall/middle/up", H5P_DEFAULT), "up");
+    std::vector<double> all(h5::numbers(file, "stresses/wall/middle/up"));
+    all[200] += 1;
+    h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), "up");
+    h5::flush(file, path);
+  }
+  EXPECT_EQ(first_difference(a, RecordsReader(path)).substr(0, 34), "stresses/wall/middle/up row 200: -");
 }
 
 // The run is killed outright in the middle of a stretch between two frames.
@@ -203,7 +227,7 @@ TEST(Records, StayReadableWhenTheRunIsKilled) {
 TEST(Records, OfAContinuedRunAreThoseOfTheUnbrokenOne) {
   const TemporaryFolder folder;
   SyntheticRun run(Mode::coupled);
-  run.planes = true;
+  run.planes = run.stresses = true;
   record(run, folder / "whole");
   std::filesystem::create_directories(folder / "broken");
   const std::string path = folder / "broken/records.h5", csv = folder / "broken/forces.csv";
@@ -224,6 +248,9 @@ TEST(Records, OfAContinuedRunAreThoseOfTheUnbrokenOne) {
   EXPECT_EQ(first_difference(whole, broken), "");
   EXPECT_EQ(broken.planes(), std::vector<std::string>{"wall"});
   EXPECT_EQ(broken.planes("wall", "heap")[300], run.window(300).obstacles[0].heap);
+  EXPECT_EQ(broken.stress_gauges(), std::vector<std::string>{"wall/middle"});
+  for (const auto& [column, times] : {std::pair{"normal", 2.0}, {"up", -0.5}, {"across", 0.1}})
+    EXPECT_EQ(broken.stress("wall/middle", column)[300], times * run.force(run.window(300).time)) << column;
   EXPECT_EQ(broken.text("status"), "done");
   EXPECT_EQ(broken.events().size(), 2u);
   for (const char* name : {"forces.csv", "flow.xdmf", "grains.xdmf"})

@@ -66,6 +66,25 @@ TEST_F(Report, OfOneRun) {
     expect_picture(folder / (std::string("a/report/") + name));
 }
 
+TEST_F(Report, ShowsStressesOnGauges) {
+  SyntheticRun run(Mode::grains);
+  run.stresses = true;
+  run.scene.stress_gauges = {{"middle", 0, 0, 0.03, 0, 0, 0.02}};
+  record(run, folder / "a");
+  ASSERT_EQ(report(folder / "a"), 0);
+  expect_picture(folder / "a/report/stresses.png");
+  const auto summary = nlohmann::json::parse(read_text(folder / "a/summary.json"));
+  char peak[32];
+  std::snprintf(peak, sizeof peak, "%.1f", summary["obstacles"]["wall"]["gauges"]["middle"]["normal_peak"].get<double>());
+  for (const std::string& text : {std::string(peak), std::string("Stress on gauge middle of wall")})
+    EXPECT_THAT(without_pictures(read_text(folder / "a/report/index.html")), HasSubstr(text));
+  record(SyntheticRun(Mode::continuum), folder / "b");
+  ASSERT_EQ(report((folder / "a") + " " + (folder / "b") + " --out " + (folder / "both")), 0);
+  expect_picture(folder / "both/stresses.png");
+  ASSERT_EQ(report(folder / "b"), 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "b/report/stresses.png"));
+}
+
 TEST_F(Report, OfARefinedMesh) {
   SyntheticRun run(Mode::continuum);
   run.refined = true;

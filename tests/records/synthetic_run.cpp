@@ -71,6 +71,7 @@ RunStart SyntheticRun::start() const {
   out.obstacles = {"wall"};
   if (planes) out.planes_obstacle = 0;
   out.measures = {{"wall", "control_volume"}, {"left", "wall"}};
+  if (stresses) out.stress_gauges = {{0, "wall", "middle", 1.5e-3}};
   out.effects = {{"curvature", true, "the surface has an arc of radius 0.5 m at x = 0.9 m"},
                  {"earth pressure", true, "the material's angles 40 and 30 deg differ"},
                  {"rotation", false, "grains are spheres and the scene asks for no spin output"}};
@@ -113,6 +114,7 @@ WindowReport SyntheticRun::window(long k) const {
     w.obstacles[0].heap = 0.05 - 0.1 * std::abs(t - 0.1);
     w.obstacles[0].climbed = 0.08 - 0.1 * std::abs(t - 0.12);
   }
+  if (stresses) w.stresses = {{2 * force(t), -0.5 * force(t), 0.1 * force(t)}};
   w.measures = {{1.5 * force(t), 0.25 * force(t)}, {0.125, -2 - force(t)}};
   w.grains = with_grains ? long(4000 * (scene.mode == Mode::grains ? 2.5 : share)) : 0;
   w.returned = with_grains ? long(800 * share * share) : 0;

@@ -34,6 +34,7 @@ struct SyntheticRun {
   Grid grid;
   double scale;
   bool refined = false;  // two blocks of cells of half and a quarter of the size before the wall
+  bool stresses = false;  // a gauge on the wall: normal, up and across 2, -0.5 and 0.1 times the force
   bool planes = false;  // the wall is made of planes: a heap that is deepest at 0.1 s, a climb that is highest at 0.12 s
 };
 

@@ -13,6 +13,53 @@ TEST_F(Check, PassesAGoodScene) {
   EXPECT_EQ(error(good_scene), "");
 }
 
+TEST_F(Check, StressGaugesLieOnAFaceApartFromOneAnother) {
+  const std::string key = "obstacles.wall.gauges";
+  const auto with = [&](const std::string& gauges, Overrides more = {}) {
+    more.insert(more.begin(), {key, gauges});
+    return error(good_scene, more);
+  };
+  const std::string at = "--set obstacles.wall.gauges: obstacles.wall.gauges.";
+  EXPECT_EQ(with("{a: {centre: [0, 40 mm], radius: 20 mm}, b: {centre: [35 mm, 60 mm], size: [30 mm, 40 mm]}}"), "");
+  EXPECT_EQ(with("{a: {centre: [0, 40 mm]}}"),
+            at + "a has no extent; give size: [across, up] of a rectangle, or the radius of a round one");
+  EXPECT_EQ(with("{a: {centre: [0, 40 mm], size: [20 mm, 20 mm], radius: 20 mm}}"),
+            at + "a has a size and a radius; keep the size of a rectangle or the radius of a round one");
+  EXPECT_EQ(with("{a: {centre: [0, 70 mm], size: [40 mm, 30 mm]}}"),
+            at + "a covers -20 mm to 20 mm across and 55 mm to 85 mm up, which reaches out of the face of wall (-50 mm to 50 mm "
+                 "across, 0 m "
+                 "to 80 mm up)");
+  EXPECT_EQ(with("{a: {centre: [0, 40 mm], size: [5.4 mm, 40 mm]}}"),
+            at + "a is only 5.4 mm wide, less than the largest grain (5.5 mm): it would show single contacts and no stress; "
+                 "enlarge it, or "
+                 "use smaller grains");
+  EXPECT_EQ(with("{a: {centre: [0, 40 mm], size: [5.4 mm, 40 mm]}}", {{"mode", "continuum"}}), "");
+  EXPECT_EQ(with("{a: {centre: [0, 40 mm], size: [40 mm, 40 mm]}, b: {centre: [20 mm, 40 mm], size: [20 mm, 20 mm]}}"),
+            at + "b overlaps gauge a of wall; move one of them");
+  EXPECT_EQ(with("{a: {centre: [-10 mm, 30 mm], radius: 15 mm}, b: {centre: [15 mm, 50 mm], radius: 15 mm}}"),
+            at + "b overlaps gauge a of wall (a round one is taken with the square around it); move one of them");
+  EXPECT_EQ(with("{a: {centre: [0, 20.1 mm], size: [40 mm, 40 mm]}}"),
+            at +
+                "a has its outline at 0.1 mm up, only 0.1 mm beside an edge of the face: no mesh has triangles as thin; let both "
+                "coincide, or keep 0.5 mm between them");
+  EXPECT_EQ(
+      with("{a: {centre: [-20 mm, 20 mm], size: [40 mm, 40 mm]}, b: {centre: [20.2 mm, 20 mm], size: [40 mm, 40 mm]}}"),
+      at + "b has its outline at 0.2 mm across, only 0.2 mm beside an edge of gauge a: no mesh has triangles as thin; let both "
+           "coincide, or keep 0.5 mm between them");
+  EXPECT_EQ(with("{a: {centre: [-20 mm, 20 mm], size: [40 mm, 40 mm]}, b: {centre: [20 mm, 20 mm], size: [40 mm, 40 mm]}}"), "");
+  EXPECT_EQ(
+      error(good_scene, {{"obstacles.wedge",
+                          "{shape: tetrahedron, position: [1.5 m, 0], size: [69 mm, 80 mm, 40 mm], gauges: "
+                          "{a: {centre: [0, 20 mm], radius: 8 mm}}}"}}),
+      "--set obstacles.wedge: obstacles.wedge.gauges.a is on a tetrahedron, which has no face across the flow; stress gauges "
+      "belong to cuboids, so leave it out");
+  EXPECT_THAT(with("{a: {centre: [0, 40 mm], radius: 0 mm}}"),
+              testing::HasSubstr("obstacles.wall.gauges.a.radius is 0 mm, out of bounds"));
+  EXPECT_THAT(with("{a: {radius: 20 mm}}"), testing::HasSubstr("obstacles.wall.gauges.a.centre is missing"));
+  EXPECT_THAT(with("{a: {middle: [0, 0]}}"), testing::HasSubstr("obstacles.wall.gauges.a.middle is unknown"));
+  EXPECT_THAT(with("[1]"), testing::HasSubstr("must be a mapping from names to mappings"));
+}
+
 TEST_F(Check, NocIsForTheContinuumAloneAndHasNoSteps) {
   EXPECT_EQ(error(good_scene, {{"continuum.scheme", "noc"}}),
             "--set continuum.scheme: continuum.scheme is noc, which runs in mode continuum only: it has no zone for grains; use "

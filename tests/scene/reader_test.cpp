@@ -78,6 +78,17 @@ TEST_F(Reader, ReadsInflowsAndGauges) {
   EXPECT_EQ(s.sides[0].hydrograph[1].time, 0.2);
   EXPECT_EQ(s.sides[0].hydrograph[1].depth, 0.04);
   EXPECT_EQ(s.sides[0].hydrograph[1].velocity, 2);
+  const Scene two = read(good_scene, {{"obstacles.post", "{position: [1.6 m, 0], size: [20 mm, 50 mm, 50 mm]}"},
+                                      {"obstacles.wall.gauges", "{a: {centre: [-10 mm, 40 mm], radius: 20 mm}}"},
+                                      {"obstacles.post.gauges", "{a: {centre: [0, 20 mm], size: [1 cm, 0.02]}}"},
+                                      {"obstacles.post.gauges.a.size", "[1 cm, 0.03]"}});
+  ASSERT_EQ(two.stress_gauges.size(), 2u);
+  EXPECT_EQ(two.stress_gauges[0].obstacle, 0);
+  EXPECT_EQ(two.stress_gauges[0].across, -0.01);
+  EXPECT_EQ(two.stress_gauges[0].radius, 0.02);
+  EXPECT_EQ(two.stress_gauges[1].obstacle, 1);
+  EXPECT_EQ(two.stress_gauges[1].up, 0.02);
+  EXPECT_EQ(two.stress_gauges[1].height, 0.03);
   ASSERT_EQ(s.record.gauges.size(), 2u);
   EXPECT_EQ(s.record.gauges[0].name, "front");
   EXPECT_EQ(s.record.gauges[0].y, 0.01);

@@ -19,7 +19,7 @@ const std::string bare_scene =
     "terrain: {kind: chute, angle: 35 deg, slope: 2, arc: 0.4, runout: 0.6, width: 0.8}\n"
     "release: {kind: cap, centre: [0.4, 0.02], base_radius: 0.3, height: 0.1, velocity: 0.5}\n"
     "obstacles:\n"
-    "  wall: {position: [1.2, 0.02], size: [0.05, 0.1, 0.08]}\n"
+    "  wall: {position: [1.2, 0.02], size: [0.05, 0.1, 0.08], gauges: {m: {centre: [0.01, 0.03], size: [0.02, 0.04]}}}\n"
     "continuum: {cell: 0.01, cell_across: 0.02, adapt: {levels: 1, obstacle: 0.02}, refine: [{around: wall, up: 0.03, down: "
     "0.04, "
     "left: 0.05, right: 0.06, margin: 0.01}]}\n"
@@ -69,6 +69,7 @@ TEST_F(SceneScales, EveryBareQuantityIsScaled) {
   compare({{"release", "{kind: ellipsoid, centre: [0.4, 0.02], semi_axes: [0.3, 0.2, 0.1], mass: 0.01}"}, {"mode", "continuum"}});
   compare({{"release", "{kind: block, position: [0.1, 0.01], length: 0.3, width: 0.2, height: 0.1}"}});
   compare({{"continuum.refine", "[{x: [0.5, 0.75], y: [-0.1, 0.2]}]"}});
+  compare({{"obstacles.wall.gauges", "{m: {centre: [0.01, 0.03], radius: 0.02}}"}});
   compare({{"obstacles.wall.method", "elevation"}, {"obstacles.wall.ramp", "0.02"}});
   compare(
       {{"grains.rotation", "{control: {retarding_time: 0.005, shear_influence: 0.01, slide_to_roll: 0.2, roll_to_slide: 0.1}}"}});

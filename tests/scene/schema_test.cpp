@@ -30,6 +30,7 @@ TEST(Schema, SetsWhatItGets) {
     if (!key.get || !key.set) continue;
     Scene scene;
     scene.obstacles.emplace_back();
+    scene.stress_gauges.emplace_back();
     scene.record.gauges.emplace_back();
     scene.continuum.refine.emplace_back();
     for (SideSpec& side : scene.sides) side.hydrograph.emplace_back();
@@ -51,6 +52,7 @@ TEST(Schema, DefaultsAreWithinBounds) {
     if (!key.get || key.presence != Presence::defaulted) continue;
     Scene scene;
     scene.obstacles.emplace_back();
+    scene.stress_gauges.emplace_back();
     scene.record.gauges.emplace_back();
     scene.continuum.refine.emplace_back();
     if (key.path.starts_with("grains.zone.")) continue;

@@ -22,6 +22,9 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
                "upstream: {inflow: {kind: hydrograph, hydrograph: [[0, 0, 0], [1, 0.1, 0.3]]}}"),
       replaced(good_scene, "left: wall, right: wall", "upstream: {inflow: {kind: silo, gate: 18 mm}}"),
       good_scene + "record: {gauges: {one: {position: [1 m, 0.1]}, two: {position: [0.1, 0.1 m]}}}\n",
+      replaced(good_scene, "80 mm]}\n",
+               "80 mm], gauges: {a: {centre: [0, 40 mm], radius: 20 mm}, b: {centre: [35 mm, 60 mm], size: [30 mm, 40 mm]}}}\n"
+               "  post: {position: [1.6 m, 0], size: [20 mm, 50 mm, 50 mm], gauges: {a: {centre: [0, 20 mm], radius: 8 mm}}}\n"),
       replaced(good_scene, "mode: coupled", "mode: continuum"),
       replaced(good_scene, "  diameter", "  rotation: blocked\n  diameter"),
       replaced(good_scene, "  diameter", "  rotation: {control: {retarding_time: 5 ms, slide_to_roll: 0.1}}\n  diameter"),
@@ -43,6 +46,12 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
     EXPECT_EQ(second.release.mass, first.release.mass);
     EXPECT_EQ(second.obstacles.size(), first.obstacles.size());
     EXPECT_EQ(second.obstacles[0].height, first.obstacles[0].height);
+    ASSERT_EQ(second.stress_gauges.size(), first.stress_gauges.size());
+    for (std::size_t k = 0; k < first.stress_gauges.size(); ++k) {
+      const StressGaugeSpec &a = first.stress_gauges[k], &b = second.stress_gauges[k];
+      EXPECT_EQ(std::tie(a.name, a.obstacle, a.across, a.up, a.width, a.height, a.radius),
+                std::tie(b.name, b.obstacle, b.across, b.up, b.width, b.height, b.radius));
+    }
     EXPECT_EQ(second.sides[0].kind, first.sides[0].kind);
     EXPECT_EQ(second.sides[0].velocity, first.sides[0].velocity);
     ASSERT_EQ(second.sides[0].hydrograph.size(), first.sides[0].hydrograph.size());

@@ -62,6 +62,8 @@ TEST(Packings, EachFigureHasAMeanAndAScatter) {
   runs.push_back({4, "", "the grain engine failed", nullptr});
   runs[1].summary["obstacles"]["wall"]["first_contact"] = 0.3;
   runs[0].summary["obstacles"]["wall"]["first_contact"] = nullptr;  // the flow did not touch it
+  for (int k : {0, 1, 2}) runs[k].summary["obstacles"]["wall"]["gauges"]["middle"]["normal_peak"] = 100 * (k + 1);
+  for (int k : {0, 1, 2}) runs[k].summary["obstacles"]["wall"]["gauges"]["unread"]["normal_peak"] = nullptr;
   const nlohmann::json all = over_packings(runs);
   EXPECT_EQ(all["count"], 3);
   EXPECT_EQ(all["seeds"], nlohmann::json({1, 2, 3}));
@@ -69,6 +71,10 @@ TEST(Packings, EachFigureHasAMeanAndAScatter) {
   const nlohmann::json& peak = all["obstacles"]["wall"]["force_peak"];
   EXPECT_DOUBLE_EQ(peak["mean"], 5);
   EXPECT_DOUBLE_EQ(peak["scatter"], std::sqrt((9 + 1 + 16) / 2.0));
+  const nlohmann::json& stress = all["obstacles"]["wall"]["gauges"]["middle"]["normal_peak"];
+  EXPECT_DOUBLE_EQ(stress["mean"], 200);
+  EXPECT_DOUBLE_EQ(stress["scatter"], 100);
+  EXPECT_FALSE(all["obstacles"]["wall"]["gauges"].contains("unread"));
   EXPECT_EQ(peak["least"], 2.0);
   EXPECT_EQ(peak["largest"], 9.0);
   EXPECT_EQ(all["obstacles"]["wall"]["first_contact"]["count"], 1) << "which only one run has";

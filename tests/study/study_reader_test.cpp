@@ -116,6 +116,28 @@ tables:
   EXPECT_EQ(study.rows[0].search->most_runs(), 6);
 }
 
+// The same quantities in all modes: no value where no grains meet the obstacle.
+TEST(StudyReader, KnowsStressesOnGauges) {
+  const std::string text = R"(
+modes: [continuum, grains]
+quantities: [{quantity: obstacles.wall.gauges.m.normal_peak, unit: kPa}, obstacles.wall.gauges.m.shear_up_final]
+tables:
+  - name: t
+    set:
+      grains.diameter: 4 mm
+      obstacles: {wall: {position: [0.8 m, 0], size: [20 mm, 100 mm, 40 mm], gauges: {m: {centre: [0, 20 mm], radius: 10 mm}}}}
+    columns: [{set: terrain.angle, values: [30 deg, 35 deg]}]
+)";
+  EXPECT_EQ(study_error(text), "");
+  const auto with = [&](const std::string& old, const std::string& now) {
+    std::string other = text;
+    other.replace(other.find(old), old.size(), now);
+    return study_error(other);
+  };
+  EXPECT_THAT(with("normal_peak", "normal_pek"), HasSubstr("did you mean 'normal_peak'?"));
+  EXPECT_THAT(with("unit: kPa", "unit: N"), HasSubstr("normal_peak is a pressure; write Pa, kPa, MPa"));
+}
+
 TEST(StudyReader, NamesPlaceAndNearestName) {
   const auto with = [](const std::string& old, const std::string& now) {
     std::string text = grid;
