@@ -35,9 +35,11 @@ GrainSide::~GrainSide() {
 void GrainSide::start(const EngineSetup& setup, const std::vector<StressGauge>& gauges) {
   setup_ = setup;
   gauges_ = gauges;
-  const auto number = [&](const std::string& name) {
-    const auto found = std::ranges::find(setup.surfaces, name, &EngineSurface::name);
-    return found == setup.surfaces.end() ? -1 : int(found - setup.surfaces.begin());
+  const auto number = [&](const std::string& name) {  // the last of that name: an obstacle may be called bed
+    int last = -1;
+    for (int s = 0; s < int(setup.surfaces.size()); ++s)
+      if (setup.surfaces[s].name == name) last = s;
+    return last;
   };
   for (int k = 0; k < int(scene_.obstacles.size()); ++k)
     if (const int s = number(scene_.obstacles[k].name); s >= 0) surfaces_of_obstacle_[k].push_back(s);
