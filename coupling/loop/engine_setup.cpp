@@ -47,6 +47,7 @@ EngineSetup material_setup(const Scene& s, const ReferenceSurface& surface, doub
   setup.gravity = {g.x(), g.y(), g.z()};
   setup.density = density;
   setup.max_radius = 0.5 * s.grains.diameter * (1 + s.grains.spread);
+  setup.skin = s.grains.skin;
   setup.friction = m.friction;
   setup.rolling_friction = m.rolling_friction;
   setup.restitution = m.restitution;

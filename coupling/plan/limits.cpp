@@ -21,6 +21,7 @@ constexpr double most_grains = 1e9;
 constexpr double longest_step = 1.25, shortest_step = 1e-3;
 // [d] half the driven layer of 3 d: what a face draws in must come from where grains stand ready.
 constexpr double most_travel = 1.5;
+constexpr double longest_skin = 3;  // [d] lists beyond it hold a hundred pairs a grain that do not touch
 
 template <class... Args>
 [[noreturn]] void fail(const Scene& scene, const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
@@ -41,6 +42,13 @@ void check_step(const Scene& scene) {
   fail(scene, "grains.timestep", "is {}, too long for the smallest grain: at most {}, a {}; lower it, or leave it out",
        us(scene.grains.timestep), us(most),
        scene.grains.contact == "hertz" ? "fifth of its Rayleigh time" : "sixteenth of its contact time");
+}
+
+void check_skin(const Scene& scene) {
+  const double most = longest_skin * scene.grains.diameter;
+  if (scene.grains.skin <= most) return;
+  fail(scene, "grains.skin", "is {:g} mm, more than three diameters, {:g} mm: lists would be long and runs slow; leave it out",
+       1e3 * scene.grains.skin, 1e3 * most);
 }
 
 // [m/s] the fastest that material may get: each source's own speed, what the terrain can add to it, and its waves. Whatever the
@@ -121,6 +129,7 @@ void check_limits(const Scene& scene, const Plan& plan) {
   if (scene.mode != Mode::grains) check_blocks(scene, plan);
   if (scene.mode == Mode::continuum) return;
   check_step(scene);
+  check_skin(scene);
   check_window(scene, plan);
   check_zone(scene, plan);
   const auto grains = double(plan.grains[std::size_t(scene.mode)]);

@@ -164,6 +164,7 @@ struct GrainSpec {
   double spread = 0.1;          // radii are uniform within +-spread of the mean
   std::optional<ZoneBox> zone;  // empty: automatic
   int window = 40;              // engine steps in a coupling window
+  double skin = 0;              // [m] of the neighbour lists; 0: the engine's worker chooses
   double timestep = 0;          // [s] 0: a fixed share of the Rayleigh time
   long seed = 20011;            // packing and radii
   int replicates = 1;           // runs, each with a packing of its own: seed, seed + 1, ...

@@ -112,6 +112,11 @@ void add_grains(Keys& k) {
                "of the engine; 0: a fixed share of the Rayleigh time (hertz) or of the contact time (kelvin_voigt)",
                at(&GrainSpec::timestep))
             .within(0, 1));
+  k.add(number("grains.skin", length,
+               "of the neighbour lists, which are made anew when a grain has gone half of it; 0: 0.3 d (liggghts), "
+               "0.25 d (yade) of the largest grain",
+               at(&GrainSpec::skin))
+            .within(0, 10));
   k.add(integer("grains.seed", "of the packing and the radii", at(&GrainSpec::seed)).within(1, 2147483647));
   k.add(
       integer(

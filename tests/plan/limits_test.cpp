@@ -36,6 +36,12 @@ TEST(Limits, ALinearContactHasItsOwnStableStep) {
   EXPECT_TRUE(holds(why, "at most ") && holds(why, "a sixteenth of its contact time")) << why;
 }
 
+TEST(Limits, ASkinIsAtMostThreeDiameters) {
+  EXPECT_EQ(refusal({{"grains.skin", "12 mm"}}), "");
+  const std::string why = refusal({{"grains.skin", "13 mm"}});
+  EXPECT_TRUE(holds(why, "--set grains.skin") && holds(why, "more than three diameters, 12 mm")) << why;
+}
+
 TEST(Limits, AWindowIsShorterThanTheFlowsWayThroughHalfTheDrivenLayer) {
   EXPECT_EQ(refusal({{"grains.window", "100"}}), "");
   const std::string why = refusal({{"grains.window", "3000"}});

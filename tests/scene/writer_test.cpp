@@ -9,7 +9,7 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
   const std::string cases[] = {
       good_scene,
       "title: 'a \"quoted\" \\ title: #1'\n" + good_scene,
-      replaced(good_scene, "  diameter", "  zone: {x: [1 m, 1.4 m], y: [-0.2, 0.2]}\n  timestep: 0.01 ms\n  diameter"),
+      replaced(good_scene, "  diameter", "  zone: {x: [1 m, 1.4 m], y: [-0.2, 0.2]}\n  timestep: 0.01 ms\n  skin: 1 mm\n  diameter"),
       replaced(good_scene, "left: wall, right: wall",
                "left: periodic, right: periodic, upstream: {inflow: {depth: 40 mm, velocity: 2}}"),
       replaced(good_scene, "kind: block, position: [0.1 m, 0], length: 300 mm, width: 200 mm, height: 100 mm",
@@ -63,6 +63,7 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
     EXPECT_EQ(second.continuum.curvature, first.continuum.curvature);
     EXPECT_EQ(second.grains.zone.has_value(), first.grains.zone.has_value());
     EXPECT_EQ(second.grains.timestep, first.grains.timestep);
+    EXPECT_EQ(second.grains.skin, first.grains.skin);
     EXPECT_EQ(second.grains.rotation, first.grains.rotation);
     EXPECT_EQ(second.grains.control.retarding_time, first.grains.control.retarding_time);
     EXPECT_EQ(second.grains.control.slide_to_roll, first.grains.control.slide_to_roll);
