@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "coupling/cases/share_out.hpp"
+#include "coupling/checkpoint/checksum.hpp"
 #include "coupling/records/provenance.hpp"
 #include "coupling/records/record_error.hpp"
 #include "coupling/records/run_folder.hpp"
@@ -29,18 +30,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// FNV-1a, 64 bits.
 std::uint64_t hash_of(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const unsigned char c : text) hash = (hash ^ c) * 0x100000001b3;
-  return hash;
-}
-
-// A modified tree has no revision of its own: there the program's bytes stand for it.
-std::string program_revision(const std::string& program) {
-  const std::string& revision = provenance().revision;
-  if (revision != "unknown" && !revision.ends_with("-dirty")) return revision;
-  return fmt::format("{} {:016x}", revision, hash_of(read_text(program)));
+  return checksum(text.data(), text.size());
 }
 
 std::vector<std::string> words_of(const std::string& scene, const Overrides& set) {
@@ -102,7 +93,7 @@ RunPool::RunPool(std::string program, std::string folder, std::string materials,
     : program_(std::move(program)),
       folder_(std::move(folder)),
       materials_(std::move(materials)),
-      revision_(program_revision(program_)),
+      revision_(build_identity(program_)),
       cores_(cores) {}
 
 void RunPool::make_folder() {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "coupling/checkpoint/checksum.hpp"
 #include "coupling/engine/worker_engine.hpp"
 #include "coupling/loop/interrupted.hpp"
 #include "coupling/plan/build.hpp"
@@ -30,17 +31,48 @@ GrainSide::~GrainSide() {
   if (engine_) engine_->stop();
 }
 
-void GrainSide::start(const EngineSetup& setup) {
+void GrainSide::begin(const EngineSetup& setup) {
   setup_ = setup;
   for (int k = 0; k < int(scene_.obstacles.size()); ++k)
     for (int s = 0; s < int(setup.surfaces.size()); ++s)
       if (setup.surfaces[s].name == scene_.obstacles[k].name) surface_of_obstacle_[k] = s;
   engine_ = std::make_unique<WorkerEngine>(worker_path(scene_.grains.engine, options_.workers));
+}
+
+void GrainSide::start(const EngineSetup& setup) {
+  begin(setup);
   engine_->start(setup);
+  note_start();
+}
+
+void GrainSide::restore(const EngineSetup& setup, const std::string& checkpoint) {
+  begin(setup);
+  engine_->restore(setup, checkpoint);
+  note_start();
+}
+
+void GrainSide::note_start() {
   engine_name_ = engine_->name();
-  guard_ = std::make_unique<EnergyGuard>(setup, stable_timestep(scene_, table_->grain_density()));
+  guard_ = std::make_unique<EnergyGuard>(setup_, stable_timestep(scene_, table_->grain_density()));
+  guard_->restore(energy_before_);
   running_ = true;
   options_.on_engine(*engine_);
+}
+
+void GrainSide::state(Archive& a) {
+  const auto& grains = table_->packing().grains;
+  const std::uint64_t present = checksum(grains.data(), grains.size() * sizeof grains[0]);
+  std::uint64_t then = present;
+  a(then);
+  if (then != present) {
+    throw CheckpointError(
+        "the settled packing that new grains are cut from is not the one that the run began with: the engine settles it otherwise now; "
+        "start the run anew");
+  }
+  if (guard_) energy_before_ = guard_->state();
+  Grains& last = last_.grains;  // by which the guard judges the next advance
+  a(last.id, last.x, last.y, last.z, last.vx, last.vy, last.vz, last.radius, last.driven, energy_before_);
+  a(overtopping_, cpu_, peak_, particle_steps_);
 }
 
 const Advanced& GrainSide::advance(const AdvanceRequest& request) {

@@ -34,7 +34,7 @@ class GrainsRun : public ModeRun {
     const double across = (domain.walls[2] + domain.walls[3]) * d / (2 * half);
     const double depth = (1 + along + across) * deepest;
     side_ = std::make_unique<GrainSide>(scene_, options_, surface_, depth, [this](const std::string& what) { tell(0, what); });
-    side_->start(engine_setup_whole(scene_, surface_, side_->table().grain_density(), options_.work_dir));
+    if (!resuming()) side_->start(setup());
     clock_ = std::make_unique<Clock>(side_->timestep(), scene_.grains.window, scene_.duration);
     grid_ = solver_settings(scene_).grid;
 
@@ -142,9 +142,13 @@ class GrainsRun : public ModeRun {
     return view;
   }
 
-  void save() override {
-    if (side_ && side_->running() && side_->port().worker_pid() > 0)
-      side_->port().checkpoint(options_.work_dir + "/engine.state");
+  EngineSetup setup() const { return engine_setup_whole(scene_, surface_, side_->table().grain_density(), options_.work_dir); }
+
+  GrainEngine* engine() override { return &side_->port(); }
+
+  void state(Archive& a) override {
+    a(*side_, *edge_, book_, request_.insert, request_.remove, initial_mass_, mass_, momentum_before_, inserted_);
+    if (a.loading()) side_->restore(setup(), engine_checkpoint());
   }
 
   void finish(RunEnd& end) override {

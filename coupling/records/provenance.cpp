@@ -9,6 +9,8 @@
 
 #include "continuum/isa/isa.hpp"
 #include "continuum/mesh/mpi_session.hpp"
+#include "coupling/checkpoint/checksum.hpp"
+#include "coupling/records/text_file.hpp"
 #include "couloir_build.hpp"
 
 namespace couloir {
@@ -39,6 +41,13 @@ const Provenance& provenance() {
   static const Provenance made{build::kVersion, build::kRevision,        build::kCompiler,  build::kFlags,
                                cpu_model(),     to_string(chosen_isa()), library_versions()};
   return made;
+}
+
+std::string build_identity(const std::string& program) {
+  const Provenance& made = provenance();
+  const bool whole = made.revision != "unknown" && !made.revision.ends_with("-dirty");
+  const std::string of = whole ? made.compiler + made.flags : read_text(program);
+  return fmt::format("{}, build {:08x}", made.revision, static_cast<std::uint32_t>(checksum(of.data(), of.size())));
 }
 
 std::vector<std::pair<std::string, std::string>> provenance_attributes(const std::string& format) {
