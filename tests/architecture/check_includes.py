@@ -18,7 +18,7 @@ ALLOWED = {
     "coupling/scene": ["continuum/mesh/most_levels.hpp"],
     "coupling/plan": ["coupling/scene", "coupling/engine/contact_law.hpp", "continuum"],
     "coupling/engine": [],
-    "coupling/workers": ["coupling/engine"],
+    "coupling/workers": ["coupling/checkpoint", "coupling/engine"],
     "coupling/checkpoint": [],
     "coupling/transfer": ["coupling/checkpoint", "continuum/solver.hpp", "continuum/terrain", "coupling/engine"],
     "coupling/loop": ["continuum", "coupling/checkpoint", "coupling/engine", "coupling/transfer", "coupling/scene", "coupling/plan"],

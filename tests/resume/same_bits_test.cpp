@@ -59,13 +59,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"adaptive", "continuum", and_gauges({{"continuum.adapt", "{levels: 2, interval: 4}"}, {"continuum.block", "8"}})},
                     Kind{"coupled", "coupled", and_gauges(quick())},
                     Kind{"coupled_two_ranks", "coupled", quick({{"grains.ranks", "2"}})},
-                    Kind{"coupled_adaptive_two_ranks", "coupled", quick({{"grains.ranks", "2"}, {"continuum.adapt", "{levels: 1, interval: 4}"}})},
-                    Kind{"coupled_control", "coupled", quick({{"grains.rotation", "{control: {retarding_time: 5 ms}}"}})},
+                    Kind{"coupled_adaptive_two_ranks", "coupled", quick({{"grains.ranks", "2"}, {"continuum.adapt", "{levels: 1, interval: 4}"}, {"duration", "0.1 s"}})},
+                    Kind{"coupled_control", "coupled", quick({{"grains.rotation", "{control: {retarding_time: 5 ms}}"}, {"duration", "0.1 s"}})},
                     Kind{"coupled_to_the_edge", "coupled", quick({{"grains.zone", "{x: [270 mm, 600 mm], y: [-100 mm, 100 mm]}"}, {"duration", "0.22 s"}})},
-                    Kind{"coupled_yade", "coupled", quick({{"grains.engine", "yade"}})},
-                    Kind{"grains", "grains", quick()},
-                    Kind{"grains_two_ranks", "grains", quick({{"grains.ranks", "2"}})},
-                    Kind{"grains_yade", "grains", quick({{"grains.engine", "yade"}, {"duration", "0.01 s"}, {"record.checkpoint", "0.5 ms"}})}),
+                    Kind{"coupled_yade", "coupled", quick({{"grains.engine", "yade"}, {"duration", "0.1 s"}})},
+                    Kind{"grains", "grains", quick({{"duration", "50 ms"}, {"record.checkpoint", "2 ms"}})},
+                    Kind{"grains_two_ranks", "grains", quick({{"grains.ranks", "2"}, {"duration", "50 ms"}, {"record.checkpoint", "2 ms"}})},
+                    Kind{"grains_yade", "grains", quick({{"grains.engine", "yade"}, {"duration", "8 ms"}, {"record.checkpoint", "0.5 ms"}})}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
