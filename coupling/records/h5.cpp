@@ -25,17 +25,6 @@ herr_t find_reason(unsigned, const H5E_error2_t* entry, void* out) {
   return 0;
 }
 
-// HDF5 prints its error stack to stderr and cleans up at exit by itself; neither suits a program that reports its own errors.
-void set_up_library() {
-  static const bool once = [] {
-    H5dont_atexit();
-    H5open();
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    return true;
-  }();
-  (void)once;
-}
-
 Handle text_type() {
   Handle type(H5Tcopy(H5T_C_S1), "a text type could not be made");
   check(H5Tset_size(type, H5T_VARIABLE), "a text type could not be made");
@@ -128,6 +117,17 @@ std::vector<T> read(hid_t parent, const std::string& name) {
 }
 
 }  // namespace
+
+// HDF5 prints its error stack to stderr and cleans up at exit by itself; neither suits a program that reports its own errors.
+void set_up_library() {
+  static const bool once = [] {
+    H5dont_atexit();
+    H5open();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    return true;
+  }();
+  (void)once;
+}
 
 Handle::Handle(hid_t id, const std::string& doing) : id_(id) {
   if (id < 0) check(-1, doing);

@@ -36,6 +36,9 @@ class Handle {
   hid_t id_ = H5I_INVALID_HID;
 };
 
+// Before the first call of HDF5: it prints no errors of its own, and leaves what is open at the program's end alone.
+void set_up_library();
+
 // Throws RecordError where `status` is negative. `doing` reads "runs/a/records.h5 could not be written".
 void check(herr_t status, const std::string& doing);
 

@@ -10,6 +10,7 @@
 #include "continuum/isa/isa.hpp"
 #include "continuum/mesh/mpi_session.hpp"
 #include "coupling/checkpoint/checksum.hpp"
+#include "coupling/records/h5.hpp"
 #include "coupling/records/text_file.hpp"
 #include "couloir_build.hpp"
 
@@ -28,6 +29,7 @@ std::string cpu_model() {
 
 std::string library_versions() {
   unsigned major = 0, minor = 0, release = 0;
+  h5::set_up_library();
   H5get_libversion(&major, &minor, &release);
   return fmt::format("HDF5 {}.{}.{}, Eigen {}.{}.{}, fmt {}.{}.{}, nlohmann-json {}.{}.{}, {}", major, minor, release,
                      EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
