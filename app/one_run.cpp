@@ -68,7 +68,8 @@ RunOptions options_for(const OneRun& verb, const Ranks& ranks, const std::string
 std::string way_on(const RunFolder& folder) {
   const std::string checkpoints = folder.file("checkpoint");
   try {
-    return fmt::format("couloir resume {} goes on from t = {:.6g} s", folder.path().string(), CheckpointFolder::read(checkpoints).time);
+    return fmt::format("couloir resume {} goes on from t = {:.6g} s", folder.path().string(),
+                       CheckpointFolder::read(checkpoints).time);
   } catch (const CheckpointError&) {
     return "";
   }

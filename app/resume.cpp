@@ -38,7 +38,8 @@ int resume(ResumeVerb& verb) {
   const std::string checkpoints = folder.file("checkpoint");
   if (has_ended_well(folder)) {
     if (wants_packings(folder, scene)) return finish_run(folder, verb, scene, 0);
-    throw SceneError(fmt::format("{}: this run is done, there is nothing to go on with; couloir report {} draws it", verb.run, verb.run));
+    throw SceneError(
+        fmt::format("{}: this run is done, there is nothing to go on with; couloir report {} draws it", verb.run, verb.run));
   }
   if (!CheckpointFolder::holds_one(checkpoints)) {
     throw SceneError(

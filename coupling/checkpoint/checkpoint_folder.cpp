@@ -85,7 +85,8 @@ void CheckpointFolder::remove_others(std::int64_t number) const {
   std::vector<fs::path> others;
   for (const auto& entry : fs::directory_iterator(path_)) {
     const std::string name = entry.path().filename();
-    if (name != "state" && name != "lock" && name != engine && name != engine + ".drive" && name != undo) others.push_back(entry.path());
+    if (name != "state" && name != "lock" && name != engine && name != engine + ".drive" && name != undo)
+      others.push_back(entry.path());
   }
   std::error_code ignored;
   for (const fs::path& path : others) fs::remove(path, ignored);

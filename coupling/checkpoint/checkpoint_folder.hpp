@@ -17,9 +17,9 @@ namespace couloir {
 
 struct Checkpoint {
   std::int64_t number = 0;
-  double time = 0;               // [s] simulated
-  std::string made_by;           // the program's revision
-  std::string scene;             // its text as run
+  double time = 0;                  // [s] simulated
+  std::string made_by;              // the program's revision
+  std::string scene;                // its text as run
   std::vector<std::uint8_t> state;  // an Archive's
 };
 

@@ -48,7 +48,8 @@ std::vector<std::string> command_line(const std::string& program, const std::vec
   return words;
 }
 
-// MPI in this process, where the mesh is refined, says here that the process is on its own: mpirun and its ranks must not hear it.
+// MPI in this process, where the mesh is refined, says here that the process is on its own: mpirun and its ranks must not hear
+// it.
 bool is_of_our_mpi(std::string_view variable) {
   for (const char* name : {"OMPI_MCA_ess=", "OMPI_MCA_orte_", "OMPI_MCA_pmix=", "OMPI_APP_CTX_", "ORTE_", "PMIX_"})
     if (variable.starts_with(name)) return true;

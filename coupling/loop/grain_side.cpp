@@ -66,7 +66,8 @@ void GrainSide::state(Archive& a) {
   a(then);
   if (then != present) {
     throw CheckpointError(
-        "the settled packing that new grains are cut from is not the one that the run began with: the engine settles it otherwise now; "
+        "the settled packing that new grains are cut from is not the one that the run began with: the engine settles it "
+        "otherwise now; "
         "start the run anew");
   }
   if (guard_) energy_before_ = guard_->state();

@@ -85,8 +85,8 @@ void ModeRun::go_back(RunStart& begin, const Return& back) {
   for (Observer* o : observers_) o->on_resume({kept_, back.reason});
 }
 
-// By simulated time, since an engine that writes a checkpoint goes on with other bits. A continuum does not: there the clock may say
-// that it is too early, on all ranks the first one's.
+// By simulated time, since an engine that writes a checkpoint goes on with other bits. A continuum does not: there the clock may
+// say that it is too early, on all ranks the first one's.
 bool ModeRun::due(double time) {
   if (!keeps() || !progress_.checkpoints.due(time)) return false;
   if (scene_.mode != Mode::continuum || scene_.record.checkpoint > 0) return true;

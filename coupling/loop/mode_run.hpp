@@ -34,7 +34,7 @@ class ModeRun {
   virtual RunStart start() = 0;  // builds what the mode needs; the clock too. No engine where resuming()
   virtual void window(std::int64_t index, WindowReport&) = 0;
   virtual FrameView frame() = 0;
-  virtual void state(Archive&) = 0;                // between two windows. Loading: after start(); restores the engine, too
+  virtual void state(Archive&) = 0;                  // between two windows. Loading: after start(); restores the engine, too
   virtual GrainEngine* engine() { return nullptr; }  // that runs
   virtual void finish(RunEnd&) = 0;
 

@@ -7,8 +7,8 @@
 // reaches a frame's time. Observers only read.
 //
 // At a checkpoint state() saves what an observer holds, and has on the disk what it wrote; on_checkpoint(n) says that the
-// checkpoint is whole. A run that goes on from one, in a new process or in this one, gives on_start (again) with `resumed`, state(),
-// which loads and takes back what was written since, and on_resume.
+// checkpoint is whole. A run that goes on from one, in a new process or in this one, gives on_start (again) with `resumed`,
+// state(), which loads and takes back what was written since, and on_resume.
 
 #include <array>
 #include <string>

@@ -25,15 +25,17 @@ std::pair<std::string, std::string> first_change(const std::string& a, const std
 
 void require_same(const Checkpoint& c, const Scene& scene, const RunOptions& options) {
   if (c.made_by != options.made_by) {
-    throw SceneError(fmt::format(
-        "{}: the checkpoint was made by couloir {}, and this is {}: it would not go on to the same bits; check that one out, or start "
-        "the run anew",
-        options.checkpoints, c.made_by, options.made_by));
+    throw SceneError(
+        fmt::format("{}: the checkpoint was made by couloir {}, and this is {}: it would not go on to the same bits; check that "
+                    "one out, or start "
+                    "the run anew",
+                    options.checkpoints, c.made_by, options.made_by));
   }
   if (const std::string text = write_scene(scene); text != c.scene) {
     const auto [then, now] = first_change(c.scene, text);
-    throw SceneError(fmt::format("{}: the scene has changed since the checkpoint: '{}' was '{}'; put it back, or run the new scene anew",
-                                 scene.file, now, then));
+    throw SceneError(
+        fmt::format("{}: the scene has changed since the checkpoint: '{}' was '{}'; put it back, or run the new scene anew",
+                    scene.file, now, then));
   }
 }
 

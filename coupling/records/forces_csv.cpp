@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-
 namespace couloir {
 
 ForcesCsv::ForcesCsv(const std::string& path, bool resumed) : path_(path) {

@@ -9,10 +9,10 @@
 
 #include "continuum/isa/isa.hpp"
 #include "continuum/mesh/mpi_session.hpp"
+#include "couloir_build.hpp"
 #include "coupling/checkpoint/checksum.hpp"
 #include "coupling/records/h5.hpp"
 #include "coupling/records/text_file.hpp"
-#include "couloir_build.hpp"
 
 namespace couloir {
 namespace {

@@ -43,7 +43,7 @@ class Records : public Observer {
   void on_window(const WindowReport&) override;  // kept in memory until the next frame, or for 256 windows
   void on_frame(const FrameView&) override;      // ends with a flush to disk
   void on_event(const Event&) override;
-  void state(Archive&) override;                 // the file itself is the state: loading rolls it back
+  void state(Archive&) override;  // the file itself is the state: loading rolls it back
   void on_checkpoint(std::int64_t number) override;
   void on_resume(const Resumption&) override;
   void on_finish(const RunEnd&) override;

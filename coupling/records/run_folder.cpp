@@ -58,9 +58,10 @@ RunFolder RunFolder::create(const Scene& scene, const std::string& out, const st
   std::error_code error;
   if (!fs::is_empty(path, error) && !error) {
     const bool unfinished = CheckpointFolder::holds_one((path / "checkpoint").string());
-    throw SceneError(path.string() + " exists and is not empty; " +
-                     (unfinished ? "it holds an unfinished run, with which couloir resume " + path.string() + " goes on; or " : "") +
-                     "choose another --out or remove it");
+    throw SceneError(
+        path.string() + " exists and is not empty; " +
+        (unfinished ? "it holds an unfinished run, with which couloir resume " + path.string() + " goes on; or " : "") +
+        "choose another --out or remove it");
   }
   const RunFolder folder(path);
   try {

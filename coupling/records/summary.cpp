@@ -64,8 +64,8 @@ void Summary::state(Archive& a) {
   };
   a(title_, scene_);
   each(obstacles_), each(gauges_), each(measures_);
-  a(overflow_, max_heap_, max_climbed_, events_, resumptions_, last_, mass_error_, residual_, min_depth_, max_overlap_, max_speed_,
-    peak_grains_);
+  a(overflow_, max_heap_, max_climbed_, events_, resumptions_, last_, mass_error_, residual_, min_depth_, max_overlap_,
+    max_speed_, peak_grains_);
 }
 
 void Summary::on_window(const WindowReport& window) {

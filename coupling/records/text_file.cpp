@@ -39,7 +39,8 @@ std::int64_t TextFile::settled() {
 void TextFile::go_back(std::int64_t length) {
   struct stat now {};
   if (fstat(fileno(file_.get()), &now) != 0) fail(path_);
-  if (now.st_size < length) throw RecordError(path_ + " is shorter than it was at the checkpoint: it is not the file of this run any more");
+  if (now.st_size < length)
+    throw RecordError(path_ + " is shorter than it was at the checkpoint: it is not the file of this run any more");
   if (ftruncate(fileno(file_.get()), length) != 0 || std::fseek(file_.get(), length, SEEK_SET) != 0) fail(path_);
 }
 

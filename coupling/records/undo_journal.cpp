@@ -62,10 +62,7 @@ bool UndoJournal::note(int file, std::uint64_t at, std::uint64_t count) {
 
 void UndoJournal::roll_back(const std::string& file, const std::string& journal, std::uint64_t size) {
   const OpenFile records{open(file.c_str(), O_RDWR | O_CLOEXEC)};
-  struct stat now {};
-  if (records.id < 0 || fstat(records.id, &now) != 0) fail(file, "opened");
-  if (static_cast<std::uint64_t>(now.st_size) < size)
-    throw RecordError(file + " is shorter than it was at the checkpoint: it is not the file of this run any more");
+  if (records.id < 0) fail(file, "opened");
   const OpenFile notes{open(journal.c_str(), O_RDONLY | O_CLOEXEC)};
   if (notes.id < 0 && errno != ENOENT) fail(journal, "read");
   for (std::uint64_t k = 0; notes.id >= 0; ++k) {
@@ -75,6 +72,10 @@ void UndoJournal::roll_back(const std::string& file, const std::string& journal,
     if (got < static_cast<std::int64_t>(sizeof note)) break;
     if (!write_whole(records.id, note.bytes.data(), page_size, note.page * page_size)) fail(file, "written");
   }
+  struct stat now {};  // the file may have shrunk since; what it lost was noted
+  if (fstat(records.id, &now) != 0) fail(file, "read");
+  if (static_cast<std::uint64_t>(now.st_size) < size)
+    throw RecordError(file + " is shorter than it was at the checkpoint: it is not the file of this run any more");
   if (ftruncate(records.id, static_cast<off_t>(size)) != 0 || fsync(records.id) != 0) fail(file, "written");
 }
 

@@ -22,8 +22,8 @@ class UndoJournal {
   // These bytes of the open file are about to change. False, with errno, where a note cannot be written: then leave them.
   bool note(int file, std::uint64_t at, std::uint64_t count);
 
-  // Makes `file` what it was when its journal began with this size; a journal that does not exist holds nothing. May be done again.
-  // Throws RecordError.
+  // Makes `file` what it was when its journal began with this size; a journal that does not exist holds nothing. May be done
+  // again. Throws RecordError.
   static void roll_back(const std::string& file, const std::string& journal, std::uint64_t size);
 
  private:

@@ -37,9 +37,8 @@ bool write_whole(int file, const void* data, std::size_t count, std::uint64_t at
 
 bool append_whole(int file, const void* data, std::size_t count) {
   const off_t begin = lseek(file, 0, SEEK_CUR);
-  const auto done = until_done(count, [&](std::size_t so_far) {
-    return write(file, static_cast<const char*>(data) + so_far, count - so_far);
-  });
+  const auto done =
+      until_done(count, [&](std::size_t so_far) { return write(file, static_cast<const char*>(data) + so_far, count - so_far); });
   if (done == static_cast<std::int64_t>(count)) return true;
   const int error = errno;
   if (ftruncate(file, begin) == 0) lseek(file, begin, SEEK_SET);

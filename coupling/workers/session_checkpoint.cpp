@@ -37,15 +37,16 @@ T get(std::istream& in) {
 
 }  // namespace
 
-// The engine does not look whether its writes succeed: on a full disk it would leave half a file without a word. So it writes into
-// a pipe, and what comes out is ours to write.
+// The engine does not look whether its writes succeed: on a full disk it would leave half a file without a word. So it writes
+// into a pipe, and what comes out is ours to write.
 std::vector<std::uint8_t> Session::restart_file() {
   if (rank_ != 0) {
     command("write_restart elsewhere");  // the first rank alone opens it
     return {};
   }
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw EngineFailure(fmt::format("no pipe for the checkpoint: {}", std::strerror(errno)), false);
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    throw EngineFailure(fmt::format("no pipe for the checkpoint: {}", std::strerror(errno)), false);
   std::vector<std::uint8_t> bytes;
   std::thread reader([&] {
     std::array<std::uint8_t, 65536> some;

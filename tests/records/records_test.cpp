@@ -231,8 +231,10 @@ struct Broken {
 
 void expect_same(const std::string& whole, const std::string& broken) {
   EXPECT_EQ(first_difference(RecordsReader(whole + "/records.h5"), RecordsReader(broken + "/records.h5")), "");
-  for (const char* name : {"/forces.csv", "/flow.xdmf", "/grains.xdmf"}) EXPECT_EQ(read_text(broken + name), read_text(whole + name)) << name;
-  auto a = nlohmann::json::parse(read_text(whole + "/summary.json")), b = nlohmann::json::parse(read_text(broken + "/summary.json"));
+  for (const char* name : {"/forces.csv", "/flow.xdmf", "/grains.xdmf"})
+    EXPECT_EQ(read_text(broken + name), read_text(whole + name)) << name;
+  auto a = nlohmann::json::parse(read_text(whole + "/summary.json")),
+       b = nlohmann::json::parse(read_text(broken + "/summary.json"));
   EXPECT_EQ(b["resumed"], nlohmann::json::parse(R"([{"time": 0.15, "reason": "resumed"}])"));
   a.erase("resumed"), b.erase("resumed");
   EXPECT_EQ(a, b);

@@ -29,7 +29,7 @@ class Resume(unittest.TestCase):
 
     def broken(self, name="run", stop=signal.SIGINT):
         """A run that was stopped after its first checkpoint."""
-        words = [COULOIR, "run", SCENE, "--mode", "continuum", "--set", "continuum.cell=2.5 mm", "--set", "record.checkpoint=2 ms",
+        words = [COULOIR, "run", SCENE, "--mode", "continuum", "--set", "continuum.cell=4 mm", "--set", "record.checkpoint=2 ms",
                  "--no-report", "--out", name]
         process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=self.dir)
         while process.poll() is None and not (self.dir / name / "checkpoint/state").exists():
@@ -83,7 +83,7 @@ class Resume(unittest.TestCase):
         self.assertIn("it holds an unfinished run, with which couloir resume run goes on", said)
 
     def test_missing_packings_are_run(self):
-        settings = ["--set", "duration=30 ms", "--set", "grains.replicates=2"]
+        settings = ["--set", "duration=20 ms", "--set", "grains.replicates=2"]
         self.couloir("run", SCENE, "--out", "run", "--no-report", *settings, code=0)
         summary = json.loads((self.dir / "run/summary.json").read_text())
         whole = summary.pop("replicates")

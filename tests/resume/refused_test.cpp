@@ -80,13 +80,21 @@ TEST_F(Refused, WithoutOne) {
   EXPECT_THAT(sentence<CheckpointError>([&] { run.go(true); }), HasSubstr("state does not exist"));
 }
 
-TEST_F(Refused, BySomebodyWhoHasNoPackingAsThen) {
-  RecordedRun grains("other_packing", small_scene("grains", {{"duration", "8 ms"}, {"record.checkpoint", "1 ms"}}));
-  ASSERT_EQ(grains.go(false, 10).status, "interrupted");
+// New grains would be cut from it.
+TEST(Refusal, WhereThePackingIsAnother) {
+  RecordedRun grains("other_packing", small_scene("grains", {{"duration", "20 ms"}, {"record.checkpoint", "2 ms"}}));
+  ASSERT_EQ(grains.go(false, 5).status, "interrupted");
+  const std::string good = grains.options.packings;
   grains.options.packings = fresh_folder("other_packings");
-  for (const auto& entry : std::filesystem::directory_iterator(COULOIR_BINARY_DIR "/test_packings"))
-    std::filesystem::copy(entry.path(), grains.options.packings);
-  ASSERT_EQ(grains.go(true).status, "done") << "the same packing at another place";
+  for (const auto& entry : std::filesystem::directory_iterator(good)) {
+    std::string text = read_text(entry.path());
+    const std::size_t digit = text.find_last_of("0123456789");
+    text[digit] = text[digit] == '1' ? '2' : '1';
+    std::ofstream(std::filesystem::path(grains.options.packings) / entry.path().filename()) << text;
+  }
+  EXPECT_THAT(sentence<CheckpointError>([&] { grains.go(true); }), HasSubstr("is not the one that the run began with"));
+  grains.options.packings = good;
+  EXPECT_EQ(grains.go(true).status, "done");
 }
 
 }  // namespace
