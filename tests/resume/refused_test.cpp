@@ -88,7 +88,7 @@ TEST(Refusal, WhereThePackingIsAnother) {
   grains.options.packings = fresh_folder("other_packings");
   for (const auto& entry : std::filesystem::directory_iterator(good)) {
     std::string text = read_text(entry.path());
-    const std::size_t digit = text.find_last_of("0123456789");
+    const std::size_t digit = text.rfind('.') + 4;
     text[digit] = text[digit] == '1' ? '2' : '1';
     std::ofstream(std::filesystem::path(grains.options.packings) / entry.path().filename()) << text;
   }
