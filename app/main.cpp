@@ -14,6 +14,7 @@
 #include "continuum/isa/isa.hpp"
 #include "continuum/mesh/ranks.hpp"
 #include "coupling/cases/share_out.hpp"
+#include "coupling/checkpoint/checkpoint_error.hpp"
 #include "coupling/engine/engine_error.hpp"
 #include "coupling/loop/interrupted.hpp"
 #include "coupling/records/record_error.hpp"
@@ -66,6 +67,7 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   add_plan(app, exit_code);
   add_run(app, exit_code);
+  add_resume(app, exit_code);
   add_report(app, exit_code);
   add_check(app, exit_code);
   add_study(app, exit_code);
@@ -85,6 +87,8 @@ int main(int argc, char** argv) {
   } catch (const EngineError& error) {
     return fail(4, "the grain engine failed", error);
   } catch (const NumericsError& error) {
+    return fail(3, "the run failed", error);
+  } catch (const CheckpointError& error) {
     return fail(3, "the run failed", error);
   } catch (const RecordError& error) {
     return fail(3, "the run failed", error);

@@ -17,6 +17,9 @@
 #include <vector>
 
 #include "coupling/cases/share_out.hpp"
+#include "coupling/checkpoint/checkpoint_error.hpp"
+#include "coupling/checkpoint/checkpoint_folder.hpp"
+#include "coupling/checkpoint/checksum.hpp"
 #include "coupling/records/provenance.hpp"
 #include "coupling/records/record_error.hpp"
 #include "coupling/records/run_folder.hpp"
@@ -29,18 +32,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// FNV-1a, 64 bits.
 std::uint64_t hash_of(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const unsigned char c : text) hash = (hash ^ c) * 0x100000001b3;
-  return hash;
-}
-
-// A modified tree has no revision of its own: there the program's bytes stand for it.
-std::string program_revision(const std::string& program) {
-  const std::string& revision = provenance().revision;
-  if (revision != "unknown" && !revision.ends_with("-dirty")) return revision;
-  return fmt::format("{} {:016x}", revision, hash_of(read_text(program)));
+  return checksum(text.data(), text.size());
 }
 
 std::vector<std::string> words_of(const std::string& scene, const Overrides& set) {
@@ -96,13 +89,27 @@ bool is_left_behind(const std::string& name) {
   return std::regex_match(name, found, part) && kill(std::stoi(found[1]), 0) != 0 && errno == ESRCH;
 }
 
+// Whether `couloir resume`, by this program, goes on with it.
+bool can_go_on(const fs::path& run, const std::string& program) {
+  try {
+    return CheckpointFolder::read((run / "checkpoint").string()).made_by == program;
+  } catch (const CheckpointError&) {
+    return false;
+  }
+}
+
+// A run's folder, of its own name or its log's.
+fs::path run_of(const fs::path& left) {
+  return left.extension() == ".log" ? fs::path(left).replace_extension() : left;
+}
+
 }  // namespace
 
 RunPool::RunPool(std::string program, std::string folder, std::string materials, int cores)
     : program_(std::move(program)),
       folder_(std::move(folder)),
       materials_(std::move(materials)),
-      revision_(program_revision(program_)),
+      revision_(build_identity(program_)),
       cores_(cores) {}
 
 void RunPool::make_folder() {
@@ -111,7 +118,8 @@ void RunPool::make_folder() {
   if (error) throw RecordError(fmt::format("{} cannot be made: {}", folder_, error.message()));
   std::vector<fs::path> left;
   for (const auto& entry : fs::directory_iterator(folder_))
-    if (is_left_behind(entry.path().filename().string())) left.push_back(entry.path());
+    if (is_left_behind(entry.path().filename().string()) && !can_go_on(run_of(entry.path()), revision_))
+      left.push_back(entry.path());
   for (const fs::path& path : left) fs::remove_all(path, error);
 }
 
@@ -122,6 +130,19 @@ std::string RunPool::command(const std::string& scene, const Overrides& set) con
     out += plain ? " " + word : " '" + word + "'";
   }
   return out;
+}
+
+bool RunPool::take_over(const Place& place, const std::string& part) const {
+  const std::string begin = fs::path(place.folder).filename().string() + ".part-";
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(begin) || !is_left_behind(name) || !can_go_on(entry.path(), revision_)) continue;
+    std::error_code taken, ignored;
+    fs::rename(entry.path(), part, taken);
+    fs::remove(entry.path().string() + ".log", ignored);
+    return !taken;
+  }
+  return false;
 }
 
 RunPool::Place RunPool::place_of(const std::string& scene, const Overrides& set) const {
@@ -173,14 +194,20 @@ PooledRun RunPool::make(const Place& place, const std::string& scene, const Over
   if (stop_()) throw Stopped();
   const std::string part = fmt::format("{}.part-{}", place.folder, getpid()), log = part + ".log";
   fs::remove_all(part);
-  auto words = words_of(scene, set);
-  words.insert(words.end(), {"--out", part, "--no-report"});
+  std::vector<std::string> words{"resume", part};
+  if (!take_over(place, part)) {
+    words = words_of(scene, set);
+    words.insert(words.end(), {"--out", part});
+  }
+  words.push_back("--no-report");
   const auto start = std::chrono::steady_clock::now();
   const std::string bad_end = run_program(program_, words, log, stop_);
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!bad_end.empty() && stop_()) {
-    fs::remove_all(part);
-    fs::remove(log);
+    if (!can_go_on(part, revision_)) {
+      fs::remove_all(part);
+      fs::remove(log);
+    }
     throw Stopped();
   }
   if (!bad_end.empty()) {

@@ -4,7 +4,8 @@
 //   scene text + revision -> hash -> FOLDER/<name>-<hash>/summary.json, or a new run
 //
 // A run is made beside its final place and renamed when it is done, so that a folder of that name is always whole. What a call
-// that is no more left beside it is removed by the next call that makes a run.
+// that is no more left beside it is gone on with, by `couloir resume`, where it has a checkpoint of this program; else it is
+// removed by the next call that makes a run.
 
 #include <functional>
 #include <future>
@@ -33,8 +34,8 @@ class RunPool {
   // runs under way take together, an engine of several ranks as many.
   RunPool(std::string program, std::string folder, std::string materials, int cores);
 
-  // From now on ends its runs once stop() is true, and begins no more: run() then throws Stopped, and what is not done is
-  // removed.
+  // From now on ends its runs once stop() is true, and begins no more: run() then throws Stopped. What is not done stays for
+  // the next call where it has a checkpoint, and is removed where not.
   void stop_when(std::function<bool()> stop) { stop_ = std::move(stop); }
   // Waits for the run; may be called from several threads. Throws SceneError where the scene is wrong, Stopped.
   PooledRun run(const std::string& scene, const Overrides&);
@@ -52,6 +53,8 @@ class RunPool {
   Place place_of(const std::string& scene, const Overrides&) const;
   PooledRun make(const Place&, const std::string& scene, const Overrides&);
   void make_folder();
+  // Makes what an earlier call left of this run `part`; false: there is nothing.
+  bool take_over(const Place&, const std::string& part) const;
 
   std::string program_, folder_, materials_, revision_;
   std::function<bool()> stop_ = [] { return false; };

@@ -15,4 +15,9 @@ struct RunawayError : EngineError {
   using EngineError::EngineError;
 };
 
+// The worker answers, and says that it could not do it.
+struct EngineReport : EngineError {
+  using EngineError::EngineError;
+};
+
 }  // namespace couloir

@@ -142,6 +142,13 @@ void WorkerEngine::open(const EngineSetup& setup, const std::string& checkpoint)
   }
 }
 
+template <class Error>
+void WorkerEngine::fail(const std::string& reason) {
+  const std::filesystem::path folder = run_->work_dir;
+  run_.reset();  // kills
+  throw Error(reason + tail(folder / "engine.log") + tail(folder / "worker.log"));
+}
+
 // Sends a command (an empty one only listens) and waits for its answer. Throws where the worker dies, is silent, or fails.
 std::string WorkerEngine::ask(const std::string& message) {
   if (!run_) throw EngineError("the grain engine is not running: it was not started, was stopped, or failed before");
@@ -158,7 +165,9 @@ std::string WorkerEngine::ask(const std::string& message) {
         if (kind != protocol::Kind::failed) return answer;
         protocol::Failed failed;
         protocol::decode(answer, failed);
-        fail(fmt::format("the grain engine reports: {}", failed.reason), failed.runaway);
+        const std::string said = fmt::format("the grain engine reports: {}", failed.reason);
+        if (failed.runaway) fail<RunawayError>(said);
+        fail<EngineReport>(said);
       }
       if (!alive) {
         fail(fmt::format("the grain engine's worker (pid {}) {}", run_->pid ? run_->pid : run_->process->pid(),
@@ -174,14 +183,6 @@ std::string WorkerEngine::ask(const std::string& message) {
   } catch (const zmq::error_t& e) {
     fail(fmt::format("the connection to the grain engine's worker failed: {}", e.what()));
   }
-}
-
-void WorkerEngine::fail(const std::string& reason, bool runaway) {
-  const std::filesystem::path folder = run_->work_dir;
-  run_.reset();  // kills
-  const std::string what = reason + tail(folder / "engine.log") + tail(folder / "worker.log");
-  if (runaway) throw RunawayError(what);
-  throw EngineError(what);
 }
 
 Advanced WorkerEngine::advance(const AdvanceRequest& request) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "coupling/engine/engine_error.hpp"
 #include "coupling/engine/grain_engine.hpp"
 
 namespace couloir {
@@ -34,7 +35,8 @@ class WorkerEngine final : public GrainEngine {
   struct Run;
   void open(const EngineSetup&, const std::string& checkpoint);
   std::string ask(const std::string& message);
-  [[noreturn]] void fail(const std::string& reason, bool runaway = false);
+  template <class Error = EngineError>
+  [[noreturn]] void fail(const std::string& reason);
 
   std::string worker_path_, name_;
   std::unique_ptr<Run> run_;  // null when not running

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <string_view>
 #include <thread>
 
 #include "coupling/engine/engine_error.hpp"
@@ -47,9 +48,18 @@ std::vector<std::string> command_line(const std::string& program, const std::vec
   return words;
 }
 
+// MPI in this process, where the mesh is refined, says here that the process is on its own: mpirun and its ranks must not hear
+// it.
+bool is_of_our_mpi(std::string_view variable) {
+  for (const char* name : {"OMPI_MCA_ess=", "OMPI_MCA_orte_", "OMPI_MCA_pmix=", "OMPI_APP_CTX_", "ORTE_", "PMIX_"})
+    if (variable.starts_with(name)) return true;
+  return false;
+}
+
 std::vector<std::string> environment() {
   std::vector<std::string> list;
-  for (char** e = environ; *e; ++e) list.emplace_back(*e);
+  for (char** e = environ; *e; ++e)
+    if (!is_of_our_mpi(*e)) list.emplace_back(*e);
   list.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
   list.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
   list.emplace_back("OMPI_MCA_ess_singleton_isolated=1");              // one rank needs no daemon beside it

@@ -9,7 +9,6 @@
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/loop/momentum_book.hpp"
 #include "coupling/loop/names.hpp"
-#include "coupling/loop/saved_state.hpp"
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/plan.hpp"
 #include "coupling/scene/depths.hpp"
@@ -54,10 +53,7 @@ class ContinuumRun : public ModeRun {
   }
 
   FrameView frame() override { return flow_->frame(); }
-  void save() override {
-    const std::vector<std::uint8_t> state = flow_->model().checkpoint();
-    if (options_.ranks.first()) save_bytes(options_.work_dir, "continuum.state", state);
-  }
+  void state(Archive& a) override { a(*flow_, book_, overflow_seen_, heap_seen_, last_time_); }
   void finish(RunEnd& end) override {
     if (end.status == "done") cpu_continuum_ = options_.ranks.total(cpu_continuum_);
     if (overflow_seen_) tell(last_time_, "warning: in all, " + overflow_sentence());

@@ -8,7 +8,6 @@
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/loop/momentum_book.hpp"
 #include "coupling/loop/names.hpp"
-#include "coupling/loop/saved_state.hpp"
 #include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/plan.hpp"
@@ -80,12 +79,17 @@ class CoupledRun : public ModeRun {
     return false;
   }
 
+  void make_zone() { zone_ = std::make_unique<Zone>(settings_, flow_->solver().grid(), surface_, grains_->table()); }
+
+  EngineSetup zone_setup() const {
+    return engine_setup_zone(scene_, surface_, box_, zone_->rim(), grains_->table().grain_density(), options_.work_dir);
+  }
+
   void start_engine(double time) {
-    zone_ = std::make_unique<Zone>(settings_, flow_->solver().grid(), surface_, grains_->table());
+    make_zone();
     const double before = flow_->solver().volume();
     first_ = zone_->take_over(flow_->solver());
-    grains_->start(engine_setup_zone(scene_, surface_, box_, zone_->rim(), grains_->table().grain_density(), options_.work_dir),
-                   gauges_);
+    grains_->start(zone_setup(), gauges_);
     for (const NewGrain& g : first_)
       if (!zone_->is_shadow(g.id)) grain_momentum_ += grains_->table().grain_mass(g.radius) * g.velocity[0];
     flow_momentum_jump_ = true;
@@ -175,9 +179,16 @@ class CoupledRun : public ModeRun {
     return view;
   }
 
-  void save() override {
-    save_bytes(options_.work_dir, "continuum.state", flow_->solver().checkpoint());
-    if (zone_ && grains_->port().worker_pid() > 0) grains_->port().checkpoint(options_.work_dir + "/engine.state");
+  GrainEngine* engine() override { return zone_ ? &grains_->port() : nullptr; }
+
+  void state(Archive& a) override {
+    bool begun = zone_ != nullptr;
+    a(*flow_, *grains_, *edge_, book_, begun, first_, grain_mass_, grain_momentum_, left_momentum_, flow_momentum_jump_);
+    if (a.loading() && begun) {
+      make_zone();
+      grains_->restore(zone_setup(), gauges_, engine_checkpoint());
+    }
+    if (begun) a(*zone_);
   }
 
   void finish(RunEnd& end) override {

@@ -213,6 +213,15 @@ FrameView FlowSide::frame() {
   return view;
 }
 
+void FlowSide::state(Archive& a) {
+  std::vector<std::uint8_t> model;
+  if (!a.loading()) model = model_->checkpoint();
+  a(model);
+  if (a.loading()) model_->restore(model);
+  if (measures_) a(*measures_);
+  a(least_climbing_, impulse_, initial_mass_, boundary_mass_, inflow_mass_, copied_mass_, momentum_before_, cpu_);
+}
+
 void FlowSide::gather_planes() {
   constexpr std::pair<PlaneName, const char*> names[] = {{PlaneName::front, "front"},
                                                          {PlaneName::back, "back"},

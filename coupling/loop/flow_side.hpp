@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "continuum/flow_model.hpp"
+#include "coupling/checkpoint/archive.hpp"
 #include "coupling/loop/force_measures.hpp"
 #include "coupling/loop/observer.hpp"
 #include "coupling/scene/scene.hpp"
@@ -39,6 +40,9 @@ class FlowSide {
   int planes_obstacle() const { return planes_obstacle_; }  // number of the one that is made of planes; -1: none
 
   FrameView frame();
+
+  // With all ranks together; into what was built from the same scene.
+  void state(Archive&);
 
  private:
   // The top of an obstacle: where, in this rectangle [m], its body is highest.

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "continuum/flow_model.hpp"
+#include "coupling/checkpoint/archive.hpp"
 #include "coupling/loop/observer.hpp"
 #include "coupling/scene/scene.hpp"
 
@@ -35,6 +36,7 @@ class ForceMeasures {
   // Mean [N] since the last call, `window` [s] ago; (x, y), as list(). Walls are read from the solver's budget, so it must have
   // been reset at the last call. elevation*: the mean of the values at both ends.
   std::vector<std::array<double, 2>> read(const FlowModel&, double window);
+  void state(Archive& a) { a(boxes_, sums_); }
 
  private:
   struct Box {
@@ -49,6 +51,7 @@ class ForceMeasures {
     std::vector<Cell> cells;
     std::array<double, 2> before{};
     std::array<double, 2> now(const FlowModel&) const;
+    void state(Archive& a) { a(before); }
   };
   void add_elevation(const Scene&, const ReferenceSurface&, const FlowModel&, const CellBox& zone);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/checkpoint/checksum.hpp"
 #include "coupling/engine/worker_engine.hpp"
 #include "coupling/loop/interrupted.hpp"
 #include "coupling/loop/stress_gauges.hpp"
@@ -23,7 +24,6 @@ GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const Refere
       say);
   table_ = std::make_unique<PackingTable>(packing, grain_density(scene, packing));
   timestep_ = engine_timestep(scene, table_->grain_density());
-  surfaces_of_obstacle_.resize(scene.obstacles.size());
   for (const ObstacleSpec& o : scene.obstacles)
     overtopping_.emplace_back(o.crest_x(), o.y - 0.5 * o.crest_width(), o.y + 0.5 * o.crest_width(), table_->grain_density());
 }
@@ -32,9 +32,11 @@ GrainSide::~GrainSide() {
   if (engine_) engine_->stop();
 }
 
-void GrainSide::start(const EngineSetup& setup, const std::vector<StressGauge>& gauges) {
+void GrainSide::begin(const EngineSetup& setup, const std::vector<StressGauge>& gauges) {
   setup_ = setup;
   gauges_ = gauges;
+  surfaces_of_obstacle_.assign(scene_.obstacles.size(), {});
+  surface_of_gauge_.clear();
   const auto number = [&](const std::string& name) {  // the last of that name: an obstacle may be called bed
     int last = -1;
     for (int s = 0; s < int(setup.surfaces.size()); ++s)
@@ -48,11 +50,43 @@ void GrainSide::start(const EngineSetup& setup, const std::vector<StressGauge>& 
     surfaces_of_obstacle_[g.obstacle].push_back(surface_of_gauge_.back());
   }
   engine_ = std::make_unique<WorkerEngine>(worker_path(scene_.grains.engine, options_.workers));
+}
+
+void GrainSide::start(const EngineSetup& setup, const std::vector<StressGauge>& gauges) {
+  begin(setup, gauges);
   engine_->start(setup);
+  note_start();
+}
+
+void GrainSide::restore(const EngineSetup& setup, const std::vector<StressGauge>& gauges, const std::string& checkpoint) {
+  begin(setup, gauges);
+  engine_->restore(setup, checkpoint);
+  note_start();
+}
+
+void GrainSide::note_start() {
   engine_name_ = engine_->name();
-  guard_ = std::make_unique<EnergyGuard>(setup, stable_timestep(scene_, table_->grain_density()));
+  guard_ = std::make_unique<EnergyGuard>(setup_, stable_timestep(scene_, table_->grain_density()));
+  guard_->restore(energy_before_);
   running_ = true;
   options_.on_engine(*engine_);
+}
+
+void GrainSide::state(Archive& a) {
+  const auto& grains = table_->packing().grains;
+  const std::uint64_t present = checksum(grains.data(), grains.size() * sizeof grains[0]);
+  std::uint64_t then = present;
+  a(then);
+  if (then != present) {
+    throw CheckpointError(
+        "the settled packing that new grains are cut from is not the one that the run began with: the engine settles it "
+        "otherwise now; "
+        "start the run anew");
+  }
+  if (guard_) energy_before_ = guard_->state();
+  Grains& last = last_.grains;  // by which the guard judges the next advance
+  a(last.id, last.x, last.y, last.z, last.vx, last.vy, last.vz, last.radius, last.driven, energy_before_);
+  a(overtopping_, cpu_, peak_, particle_steps_);
 }
 
 const Advanced& GrainSide::advance(const AdvanceRequest& request) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "coupling/checkpoint/archive.hpp"
 #include "coupling/loop/energy_guard.hpp"
 #include "coupling/loop/engine_setup.hpp"
 #include "coupling/loop/observer.hpp"
@@ -22,7 +23,8 @@ class GrainSide {
   const PackingTable& table() const { return *table_; }
   double timestep() const { return timestep_; }  // [s]
 
-  void start(const EngineSetup&, const std::vector<StressGauge>& = {});
+  void start(const EngineSetup&, const std::vector<StressGauge>&);
+  void restore(const EngineSetup&, const std::vector<StressGauge>&, const std::string& checkpoint);
   bool running() const { return running_; }
   const Advanced& advance(const AdvanceRequest&);
   const Advanced& last() const { return last_; }
@@ -43,12 +45,18 @@ class GrainSide {
   std::int64_t particle_steps() const { return particle_steps_; }
   double cpu() const { return cpu_; }  // [s] of the engine
 
+  // All but the engine's own. Throws CheckpointError where the settled packing is another one than then.
+  void state(Archive&);
+
  private:
+  void begin(const EngineSetup&, const std::vector<StressGauge>&);
+  void note_start();
   const Scene& scene_;
   const RunOptions& options_;
   const ReferenceSurface& surface_;
   std::unique_ptr<GrainEngine> engine_;
   std::unique_ptr<EnergyGuard> guard_;
+  EnergyGuard::State energy_before_;  // of the guard, when the engine starts
   std::unique_ptr<PackingTable> table_;
   EngineSetup setup_;
   std::vector<std::vector<int>> surfaces_of_obstacle_;  // itself and its gauges

@@ -35,8 +35,8 @@ class GrainsRun : public ModeRun {
     const double across = (domain.walls[2] + domain.walls[3]) * d / (2 * half);
     const double depth = (1 + along + across) * deepest;
     side_ = std::make_unique<GrainSide>(scene_, options_, surface_, depth, [this](const std::string& what) { tell(0, what); });
-    const std::vector<StressGauge> gauges = stress_gauges(scene_, nullptr);
-    side_->start(engine_setup_whole(scene_, surface_, side_->table().grain_density(), options_.work_dir), gauges);
+    gauges_ = stress_gauges(scene_, nullptr);
+    if (!resuming()) side_->start(setup(), gauges_);
     clock_ = std::make_unique<Clock>(side_->timestep(), scene_.grains.window, scene_.duration);
     grid_ = solver_settings(scene_).grid;
 
@@ -61,7 +61,7 @@ class GrainsRun : public ModeRun {
     begin.surface = &surface_;
     begin.obstacles = obstacle_names(scene_);
     begin.measures = measures_ = wall_measures(scene_);
-    begin.stress_gauges = gauges;
+    begin.stress_gauges = gauges_;
     begin.effects = make_plan(scene_).effects;
     begin.bulk_density = side_->table().bulk_density();
     return begin;
@@ -146,9 +146,13 @@ class GrainsRun : public ModeRun {
     return view;
   }
 
-  void save() override {
-    if (side_ && side_->running() && side_->port().worker_pid() > 0)
-      side_->port().checkpoint(options_.work_dir + "/engine.state");
+  EngineSetup setup() const { return engine_setup_whole(scene_, surface_, side_->table().grain_density(), options_.work_dir); }
+
+  GrainEngine* engine() override { return &side_->port(); }
+
+  void state(Archive& a) override {
+    a(*side_, *edge_, book_, request_.insert, request_.remove, initial_mass_, mass_, momentum_before_, inserted_);
+    if (a.loading()) side_->restore(setup(), gauges_, engine_checkpoint());
   }
 
   void finish(RunEnd& end) override {
@@ -164,6 +168,7 @@ class GrainsRun : public ModeRun {
   Grid grid_;
   MomentumBook book_;
   std::vector<ForceMeasure> measures_;
+  std::vector<StressGauge> gauges_;
   double initial_mass_ = 0, mass_ = 0, momentum_before_ = 0;
   long inserted_ = 0;
 };

@@ -1,10 +1,14 @@
 #pragma once
 // What a run tells those who watch it: records, progress line, tests.
 //
-//   on_start  (on_event | on_window | on_frame)*  on_finish
+//   on_start  (on_event | on_window | on_frame | state, on_checkpoint | state, on_resume)*  on_finish
 //
 // on_window comes after every coupling window (continuum mode: every recorded interval); on_frame after the window that
 // reaches a frame's time. Observers only read.
+//
+// At a checkpoint state() saves what an observer holds, and has on the disk what it wrote; on_checkpoint(n) says that the
+// checkpoint is whole. A run that goes on from one, in a new process or in this one, gives on_start (again) with `resumed`,
+// state(), which loads and takes back what was written since, and on_resume.
 
 #include <array>
 #include <string>
@@ -12,6 +16,7 @@
 
 #include "continuum/mesh/level_cells.hpp"
 #include "continuum/solver.hpp"
+#include "coupling/checkpoint/archive.hpp"
 #include "coupling/engine/grain_engine.hpp"
 #include "coupling/plan/effect.hpp"
 #include "coupling/scene/scene.hpp"
@@ -49,6 +54,7 @@ struct RunStart {
   std::vector<StressGauge> stress_gauges;  // those that are read
   std::vector<Effect> effects;
   double bulk_density = 0;  // [kg/m3] that both models use
+  bool resumed = false;     // from a checkpoint
 };
 
 struct MassLedger {  // [kg]
@@ -96,6 +102,10 @@ struct WindowReport {
   double max_speed = 0;            // [m/s] of grains and flow
   double min_depth = 0;            // [m]
   double overtopped = 0;           // [kg] net over all obstacles since the start
+  void state(Archive& a) {
+    a(time, length, index, mass, momentum, obstacles, gauges, measures, grains, inserted, returned, engine_steps, solver_steps,
+      cell_updates, levels, max_overlap, max_speed, min_depth, overtopped);
+  }
 };
 
 // The flow on one plane of an obstacle of method planes: h [m], momenta along the plane's axes [m2/s], [j * nx + i].
@@ -127,12 +137,21 @@ struct FrameView {
 struct Event {
   double time = 0;
   std::string what;  // one sentence with its reason and its numbers
+  void state(Archive& a) { a(time, what); }
+};
+
+// Where a broken run has gone on.
+struct Resumption {
+  double time = 0;  // [s] simulated, of the checkpoint
+  std::string reason;
+  void state(Archive& a) { a(time, reason); }
 };
 
 struct RunEnd {
   std::string status;  // "done" | "interrupted" | "failed"
   std::string reason;
-  double wall = 0, cpu = 0;                                    // [s]
+  double checkpoint = -1;                                      // [s] simulated, of the last one; -1: none
+  double wall = 0, cpu = 0;                                    // [s] without what was computed again
   double cpu_continuum = 0, cpu_engine = 0, cpu_coupling = 0;  // [s] shares of cpu
   long peak_grains = 0;
   std::int64_t particle_steps = 0;
@@ -146,6 +165,9 @@ class Observer {
   virtual void on_window(const WindowReport&) {}
   virtual void on_frame(const FrameView&) {}
   virtual void on_event(const Event&) {}
+  virtual void state(Archive&) {}
+  virtual void on_checkpoint(std::int64_t) {}
+  virtual void on_resume(const Resumption&) {}
   virtual void on_finish(const RunEnd&) {}
 };
 

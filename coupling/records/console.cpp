@@ -29,6 +29,7 @@ void Console::on_start(const RunStart& start) {
   duration_ = start.scene->duration;
   cells_ = long(start.grid.nx) * start.grid.ny;
   begin_ = shown_ = measured_ = Clock::now();
+  if (start.resumed) return;
   std::string on;
   for (const Effect& e : start.effects)
     if (e.on) on += (on.empty() ? "" : ", ") + e.name;
@@ -80,6 +81,13 @@ void Console::on_window(const WindowReport& window) {
 
 void Console::on_event(const Event& event) {
   show(fmt::format("{:.3f} s: {}", event.time, event.what));
+}
+
+void Console::on_resume(const Resumption& r) {
+  begin_time_ = -1;
+  rate_ = 0;
+  logged_share_ = duration_ > 0 ? r.time / duration_ : 0;
+  show(fmt::format("goes on from the checkpoint at t = {:.6g} s: {}", r.time, r.reason));
 }
 
 void Console::on_finish(const RunEnd& end) {

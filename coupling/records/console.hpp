@@ -25,6 +25,7 @@ class Console : public Observer {
   void on_start(const RunStart&) override;
   void on_window(const WindowReport&) override;
   void on_event(const Event&) override;
+  void on_resume(const Resumption&) override;
   void on_finish(const RunEnd&) override;
 
  private:

@@ -2,6 +2,8 @@
 // The force on one obstacle against time, and its key figures.
 #include <vector>
 
+#include "coupling/checkpoint/archive.hpp"
+
 namespace couloir {
 
 // What a force history is reduced to. All of them are of one component: f(t), constant in each window.
@@ -29,6 +31,7 @@ class ForceSeries {
   // The running mean at t is (J(t) - J(t - 15 ms)) / 15 ms with J the impulse so far, linear within a window; J = 0 before the
   // start. It is largest at a window's end, or 15 ms after one, so these times are all that is looked at.
   ForceFigures figures() const;
+  void state(Archive& a) { a(end_, begin_, force_, impulse_, contact_); }
 
  private:
   double contact(double largest) const;                // [s]

@@ -2,39 +2,30 @@
 
 #include <fmt/core.h>
 
-#include <cstdlib>
-#include <sstream>
-
 namespace couloir {
-namespace {
 
-void drop_rows_after(const std::string& path, double time) {
-  std::istringstream all(read_text(path));
-  std::string kept, line;
-  std::getline(all, line);
-  kept = line;
-  while (std::getline(all, line) && std::strtod(line.c_str(), nullptr) <= time * (1 + 1e-12)) kept += "\n" + line;
-  write_atomically(path, kept);
+ForcesCsv::ForcesCsv(const std::string& path, bool resumed) : path_(path) {
+  if (!resumed) file_.emplace(path);
 }
 
-}  // namespace
-
-ForcesCsv::ForcesCsv(const std::string& path, double resume_time)
-    : file_((resume_time >= 0 ? drop_rows_after(path, resume_time) : void(), path), resume_time >= 0),
-      resumed_(resume_time >= 0) {}
+void ForcesCsv::state(Archive& a) {
+  std::int64_t length = a.loading() ? 0 : file_->settled();
+  a(length, time_, since_, impulse_, measured_, stressed_);
+  if (a.loading()) file_.emplace(TextFile::reopened(path_, length));
+}
 
 void ForcesCsv::on_start(const RunStart& start) {
   interval_ = start.scene->record.forces;
   impulse_.assign(start.obstacles.size(), Vec{});
   measured_.assign(start.measures.size(), {});
   stressed_.assign(start.stress_gauges.size(), {});
-  if (resumed_) return;
+  if (start.resumed) return;
   std::string header = "time [s]";
   for (const std::string& name : start.obstacles) header += fmt::format(",{0} x [N],{0} y [N],{0} z [N]", name);
   for (const ForceMeasure& m : start.measures) header += fmt::format(",{0} {1} x [N],{0} {1} y [N]", m.of, m.kind);
   for (const StressGauge& g : start.stress_gauges)
     header += fmt::format(",{0} {1} normal [Pa],{0} {1} up [Pa],{0} {1} across [Pa]", g.of, g.name);
-  file_.line(header);
+  file_->line(header);
 }
 
 void ForcesCsv::on_window(const WindowReport& window) {
@@ -55,7 +46,7 @@ void ForcesCsv::on_window(const WindowReport& window) {
 }
 
 void ForcesCsv::on_finish(const RunEnd&) {
-  if (since_ > 0) write_row();
+  if (file_ && since_ > 0) write_row();
 }
 
 void ForcesCsv::write_row() {
@@ -74,7 +65,7 @@ void ForcesCsv::write_row() {
     impulse = {};
   }
   since_ = 0;
-  file_.line(row);
+  file_->line(row);
 }
 
 }  // namespace couloir

@@ -1,5 +1,6 @@
 #pragma once
 // RUN/forces.csv: time and the force on each obstacle, for those who want no HDF5.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,17 +18,18 @@ namespace couloir {
 // the stresses on each gauge: wall middle normal [Pa],wall middle up [Pa],wall middle across [Pa]
 class ForcesCsv : public Observer {
  public:
-  // With `resume_time` the rows after it are dropped and writing goes on. Throws RecordError.
-  explicit ForcesCsv(const std::string& path, double resume_time = -1);
+  // Throws RecordError. `resumed`: state() will open the file of an earlier process.
+  explicit ForcesCsv(const std::string& path, bool resumed = false);
   void on_start(const RunStart&) override;
   void on_window(const WindowReport&) override;
   void on_finish(const RunEnd&) override;
+  void state(Archive&) override;
 
  private:
   void write_row();
 
-  TextFile file_;
-  bool resumed_;
+  std::string path_;
+  std::optional<TextFile> file_;
   double interval_ = 0;                          // [s]
   double time_ = 0, since_ = 0;                  // [s] now; covered by impulse_
   std::vector<Vec> impulse_;                     // [N s] since the last row

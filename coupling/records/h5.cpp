@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "coupling/records/h5_driver.hpp"
+
 namespace couloir::h5 {
 namespace {
 
@@ -21,17 +23,6 @@ herr_t find_reason(unsigned, const H5E_error2_t* entry, void* out) {
     reason = text;
   }
   return 0;
-}
-
-// HDF5 prints its error stack to stderr and cleans up at exit by itself; neither suits a program that reports its own errors.
-void set_up_library() {
-  static const bool once = [] {
-    H5dont_atexit();
-    H5open();
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    return true;
-  }();
-  (void)once;
 }
 
 Handle text_type() {
@@ -100,8 +91,8 @@ void append(hid_t set, hid_t type, const void* data, hsize_t count, hsize_t& row
   rows = size;
 }
 
-// Metadata stay in memory until flush(): whatever kills the run in between, the file on disk hangs together.
-Handle access_without_evictions(const std::string& doing) {
+// Metadata stay in memory until flush(): between two of them the file on disk hangs together for those who look.
+Handle access_through(UndoJournal& journal, const std::string& doing) {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), doing);
   H5AC_cache_config_t cache;
   cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
@@ -111,6 +102,7 @@ Handle access_without_evictions(const std::string& doing) {
   cache.flash_incr_mode = H5C_flash_incr__off;
   cache.decr_mode = H5C_decr__off;
   check(H5Pset_mdc_config(access, &cache), doing);
+  check(use_journal(access, journal), doing);
   return access;
 }
 
@@ -125,6 +117,17 @@ std::vector<T> read(hid_t parent, const std::string& name) {
 }
 
 }  // namespace
+
+// HDF5 prints its error stack to stderr and cleans up at exit by itself; neither suits a program that reports its own errors.
+void set_up_library() {
+  static const bool once = [] {
+    H5dont_atexit();
+    H5open();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    return true;
+  }();
+  (void)once;
+}
 
 Handle::Handle(hid_t id, const std::string& doing) : id_(id) {
   if (id < 0) check(-1, doing);
@@ -152,16 +155,26 @@ void check(herr_t status, const std::string& doing) {
   throw RecordError(doing + ": " + reason);
 }
 
-Handle create_file(const std::string& path) {
+Handle create_file(const std::string& path, UndoJournal& journal) {
   set_up_library();
   const std::string doing = path + " could not be written";
-  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_without_evictions(doing)), doing);
+  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_through(journal, doing)), doing);
 }
 
-Handle open_file(const std::string& path, bool write) {
+Handle open_file(const std::string& path, UndoJournal& journal) {
   set_up_library();
   const std::string doing = path + " could not be opened";
-  return Handle(H5Fopen(path.c_str(), write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access_without_evictions(doing)), doing);
+  return Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, access_through(journal, doing)), doing);
+}
+
+Handle create_file(const std::string& path) {
+  set_up_library();
+  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), path + " could not be written");
+}
+
+Handle open_file(const std::string& path) {
+  set_up_library();
+  return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path + " could not be opened");
 }
 
 void flush(hid_t file, const std::string& path) {
@@ -205,6 +218,10 @@ void put_attribute(hid_t object, const std::string& name, std::int64_t value) {
 
 void put_attributes(hid_t object, const std::vector<std::pair<std::string, std::string>>& texts) {
   for (const auto& [name, value] : texts) put_attribute(object, name, value);
+}
+
+bool has_attribute(hid_t object, const std::string& name) {
+  return H5Aexists(object, name.c_str()) > 0;
 }
 
 std::string text_attribute(hid_t object, const std::string& name) {
@@ -280,11 +297,6 @@ void Series::write() {
   waiting_.clear();
 }
 
-void Series::keep(hsize_t rows) {
-  rows_ = std::min(rows_, rows);
-  check(H5Dset_extent(set_, &rows_), writing(set_));
-}
-
 TextSeries::TextSeries(hid_t parent, const std::string& name, const Meaning& meaning)
     : set_(open_or_create_series(parent, name, text_type(), meaning, rows_)) {}
 
@@ -293,11 +305,6 @@ void TextSeries::write() {
   for (const std::string& text : waiting_) raw.push_back(text.c_str());
   append(set_, text_type(), raw.data(), raw.size(), rows_);
   waiting_.clear();
-}
-
-void TextSeries::keep(hsize_t rows) {
-  rows_ = std::min(rows_, rows);
-  check(H5Dset_extent(set_, &rows_), writing(set_));
 }
 
 }  // namespace couloir::h5

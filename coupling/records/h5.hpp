@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coupling/records/record_error.hpp"
+#include "coupling/records/undo_journal.hpp"
 
 namespace couloir::h5 {
 
@@ -35,12 +36,17 @@ class Handle {
   hid_t id_ = H5I_INVALID_HID;
 };
 
+// Before the first call of HDF5: it prints no errors of its own, and leaves what is open at the program's end alone.
+void set_up_library();
+
 // Throws RecordError where `status` is negative. `doing` reads "runs/a/records.h5 could not be written".
 void check(herr_t status, const std::string& doing);
 
-// A file whose metadata reach the disk only in flush(): a killed run leaves the file as the last flush left it.
+// A file whose metadata reach the disk only in flush(); what is written over goes through the journal, which must outlive it.
+Handle create_file(const std::string& path, UndoJournal&);
+Handle open_file(const std::string& path, UndoJournal&);
 Handle create_file(const std::string& path);
-Handle open_file(const std::string& path, bool write);
+Handle open_file(const std::string& path);  // for reading alone
 void flush(hid_t file, const std::string& path);
 
 Handle create_group(hid_t parent, const std::string& name);
@@ -51,6 +57,7 @@ void put_attribute(hid_t object, const std::string& name, const std::string& val
 void put_attribute(hid_t object, const std::string& name, double value);
 void put_attribute(hid_t object, const std::string& name, std::int64_t value);
 void put_attributes(hid_t object, const std::vector<std::pair<std::string, std::string>>& texts);
+bool has_attribute(hid_t object, const std::string& name);
 std::string text_attribute(hid_t object, const std::string& name);
 double number_attribute(hid_t object, const std::string& name);
 
@@ -94,7 +101,6 @@ class Series {
   void add(double value) { waiting_.push_back(value); }
   void write();
   std::size_t waiting() const { return waiting_.size(); }
-  void keep(hsize_t rows);  // drops the rows after the first `rows`
 
  private:
   hsize_t rows_ = 0;  // before set_, whose making fills it in
@@ -108,7 +114,6 @@ class TextSeries {
   TextSeries(hid_t parent, const std::string& name, const Meaning& meaning);
   void add(const std::string& value) { waiting_.push_back(value); }
   void write();
-  void keep(hsize_t rows);
 
  private:
   hsize_t rows_ = 0;  // before set_, whose making fills it in

@@ -18,6 +18,10 @@ struct Provenance {
 
 const Provenance& provenance();
 
+// Tells apart programs whose bits may differ: the revision, and a number for the compiler and its flags, or for the program's own
+// bytes where its tree had no revision. `program`: its path.
+std::string build_identity(const std::string& program);
+
 // The same as the attributes of a file of this format: names and texts.
 std::vector<std::pair<std::string, std::string>> provenance_attributes(const std::string& format);
 

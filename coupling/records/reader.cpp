@@ -45,7 +45,7 @@ bool Frame::operator==(const Frame& o) const {
          same_bits(a.radius, b.radius) && same_bits(a.driven, b.driven);
 }
 
-RecordsReader::RecordsReader(const std::string& path) : file_(h5::open_file(path, false)) {
+RecordsReader::RecordsReader(const std::string& path) : file_(h5::open_file(path)) {
   if (text("format") != "couloir records") throw RecordError(path + " is not a record of couloir");
 }
 

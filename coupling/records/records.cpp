@@ -4,7 +4,10 @@
 #include <fmt/core.h>
 
 #include <ctime>
+#include <filesystem>
 
+#include "coupling/checkpoint/checkpoint_folder.hpp"
+#include "coupling/checkpoint/safe_file.hpp"
 #include "coupling/records/columns.hpp"
 #include "coupling/records/level_frame.hpp"
 #include "coupling/records/provenance.hpp"
@@ -22,9 +25,9 @@ std::string now_utc() {
 
 }  // namespace
 
-Records::Records(const std::string& path, const std::string& scene_text, double resume_time)
-    : path_(path), scene_text_(scene_text), resume_time_(resume_time) {
-  file_ = resume_time >= 0 ? h5::open_file(path, true) : h5::create_file(path);
+Records::Records(const std::string& path, const std::string& scene_text, const std::string& checkpoints, bool resumed)
+    : path_(path), scene_text_(scene_text), checkpoints_(checkpoints) {
+  if (!resumed) file_ = h5::create_file(path, journal_);
 }
 
 Records::~Records() = default;
@@ -42,24 +45,59 @@ void Records::guarded(const std::function<void()>& write) {
 }
 
 void Records::on_start(const RunStart& start) {
+  start_ = start;
+  surface_ = start.surface;
+  grid_ = start.grid;
+  bed_ = start.bed;
+  thin_ = thin_depth(*start.scene);
+  if (start.resumed) return;
   guarded([&] {
-    surface_ = start.surface;
-    grid_ = start.grid;
-    bed_ = start.bed;
-    thin_ = thin_depth(*start.scene);
-    if (resume_time_ >= 0) {
-      frames_ = h5::create_group(file_, "frames");
-      open_series(start);
-      drop_after(resume_time_);
-    } else {
-      write_root(*start.scene, start.bulk_density);
-      write_surface();
-      write_grid(start);
-      frames_ = h5::create_group(file_, "frames");
-      open_series(start);
-    }
+    write_root(*start.scene, start.bulk_density);
+    write_surface();
+    write_grid(start);
+    open_series();
     h5::flush(file_, path_);
   });
+}
+
+void Records::state(Archive& a) {
+  if (!a.loading()) {
+    guarded([&] {
+      write_waiting();
+      h5::flush(file_, path_);
+    });
+    sync_file(path_);
+    settled_ = std::filesystem::file_size(path_);
+  }
+  a(settled_);
+  if (!a.loading()) return;
+  close();
+  const std::string journal = CheckpointFolder::journal(checkpoints_, a.number());
+  UndoJournal::roll_back(path_, journal, settled_);
+  journal_.begin(journal, settled_);
+  file_ = h5::open_file(path_, journal_);
+  open_series();
+}
+
+void Records::on_checkpoint(std::int64_t number) {
+  journal_.begin(CheckpointFolder::journal(checkpoints_, number), settled_);
+}
+
+void Records::on_resume(const Resumption& r) {
+  guarded([&] {
+    const std::string before = h5::has_attribute(file_, "resumed") ? h5::text_attribute(file_, "resumed") + "\n" : "";
+    h5::put_attribute(file_, "resumed", fmt::format("{}at {:.9g} s: {}", before, r.time, r.reason));
+    h5::flush(file_, path_);
+  });
+}
+
+// The last to go is the file: HDF5 closes it when nothing in it is open.
+void Records::close() {
+  columns_.clear(), forces_.clear(), planes_.reset(), gauges_.clear(), measures_.clear(), stresses_.clear();
+  event_time_.reset(), event_text_.reset();
+  waiting_ = 0;
+  frames_.reset();
+  file_.reset();
 }
 
 void Records::write_root(const Scene& scene, double bulk_density) {
@@ -126,7 +164,9 @@ void Records::write_grid(const RunStart& start) {
           {"m", "cell corners on the reference surface in the level frame"});
 }
 
-void Records::open_series(const RunStart& start) {
+void Records::open_series() {
+  const RunStart& start = start_;
+  frames_ = h5::create_group(file_, "frames");
   const h5::Handle windows = h5::create_group(file_, "windows");
   for (const WindowColumn& c : window_columns()) columns_.emplace_back(windows, c.name, h5::Meaning{c.unit, c.description});
   const h5::Handle forces = h5::create_group(file_, "forces");
@@ -170,31 +210,6 @@ void Records::open_series(const RunStart& start) {
   const h5::Handle events = h5::create_group(file_, "events");
   event_time_.emplace(events, "time", h5::Meaning{"s", "when"});
   event_text_.emplace(events, "text", h5::Meaning{"", "what happened, and why"});
-}
-
-void Records::drop_after(double time) {
-  const double last = time * (1 + 1e-12);
-  const auto rows_until = [&](const char* name) {
-    hsize_t rows = 0;
-    for (const double t : h5::numbers(file_, name)) rows += t <= last;
-    return rows;
-  };
-  const hsize_t windows = rows_until("windows/time"), events = rows_until("events/time");
-  for (h5::Series& column : columns_) column.keep(windows);
-  for (ForceColumns& f : forces_)
-    for (h5::Series* series : {&f.time, &f.fx, &f.fy, &f.fz, &f.depth_on_top}) series->keep(windows);
-  for (GaugeColumns& g : gauges_)
-    for (h5::Series* series : {&g.time, &g.depth, &g.along, &g.across}) series->keep(windows);
-  for (MeasureColumns& m : measures_) m.fx.keep(windows), m.fy.keep(windows);
-  for (StressColumns& s : stresses_) s.normal.keep(windows), s.up.keep(windows), s.across.keep(windows);
-  if (planes_)
-    for (h5::Series* series : {&planes_->overflow, &planes_->heap, &planes_->climbed}) series->keep(windows);
-  event_time_->keep(events);
-  event_text_->keep(events);
-  for (const std::string& name : h5::children(frames_))
-    if (h5::numbers(frames_, name + "/time").at(0) > last)
-      h5::check(H5Ldelete(frames_, name.c_str(), H5P_DEFAULT), path_ + " could not be written");
-  h5::put_attribute(file_, "status", "running");
 }
 
 void Records::on_window(const WindowReport& window) {
@@ -343,6 +358,7 @@ void Records::on_event(const Event& event) {
 }
 
 void Records::on_finish(const RunEnd& end) {
+  if (file_.empty()) return;  // it could not even be opened again
   guarded([&] {
     if (event_time_) write_waiting();
     h5::put_attribute(file_, "status", end.status);

@@ -28,6 +28,7 @@
 
 #include "coupling/loop/observer.hpp"
 #include "coupling/records/h5.hpp"
+#include "coupling/records/undo_journal.hpp"
 
 namespace couloir {
 
@@ -35,14 +36,17 @@ class Records : public Observer {
  public:
   static constexpr int kFormatVersion = 1;
 
-  // `scene_text`: the scene as run, complete (write_scene). With `resume_time` >= 0 the file is continued: windows, frames and
-  // events after that time are dropped. Throws RecordError.
-  Records(const std::string& path, const std::string& scene_text, double resume_time = -1);
+  // `scene_text`: the scene as run, complete (write_scene). `checkpoints`: their folder, empty where there are none. `resumed`:
+  // state() will open the file of an earlier process. Throws RecordError.
+  Records(const std::string& path, const std::string& scene_text, const std::string& checkpoints = "", bool resumed = false);
   ~Records() override;
   void on_start(const RunStart&) override;
   void on_window(const WindowReport&) override;  // kept in memory until the next frame, or for 256 windows
   void on_frame(const FrameView&) override;      // ends with a flush to disk
   void on_event(const Event&) override;
+  void state(Archive&) override;  // the file itself is the state: loading rolls it back
+  void on_checkpoint(std::int64_t number) override;
+  void on_resume(const Resumption&) override;
   void on_finish(const RunEnd&) override;
 
  private:
@@ -71,18 +75,20 @@ class Records : public Observer {
   void write_blocks(hid_t frame, const BlocksView&);
   void write_planes(hid_t frame, const std::vector<PlaneView>&);
   void write_grains(hid_t frame, const Grains&);
-  void open_series(const RunStart&);
-  void drop_after(double time);
+  void open_series();
+  void close();
   void write_waiting();
 
-  std::string path_, scene_text_;
-  double resume_time_;
+  std::string path_, scene_text_, checkpoints_;
   bool failed_ = false;
+  RunStart start_;
   const ReferenceSurface* surface_ = nullptr;
   Grid grid_;
   std::vector<double> bed_;
   double thin_ = 0;  // [m] up to it frames show no velocity
   long waiting_ = 0;
+  std::uint64_t settled_ = 0;  // [bytes] of the file at the last checkpoint
+  UndoJournal journal_;        // outlives the file
   h5::Handle file_, frames_;
   std::vector<h5::Series> columns_;  // as window_columns()
   std::vector<ForceColumns> forces_;

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "coupling/checkpoint/checkpoint_folder.hpp"
 #include "coupling/records/record_error.hpp"
 #include "coupling/records/text_file.hpp"
 #include "coupling/scene/scene_error.hpp"
@@ -55,8 +56,13 @@ RunFolder RunFolder::create(const Scene& scene, const std::string& out, const st
   const fs::path path = out.empty() ? free_default(scene) : fs::path(out);
   make_folder(path);
   std::error_code error;
-  if (!fs::is_empty(path, error) && !error)
-    throw SceneError(path.string() + " exists and is not empty; choose another --out or remove it");
+  if (!fs::is_empty(path, error) && !error) {
+    const bool unfinished = CheckpointFolder::holds_one((path / "checkpoint").string());
+    throw SceneError(
+        path.string() + " exists and is not empty; " +
+        (unfinished ? "it holds an unfinished run, with which couloir resume " + path.string() + " goes on; or " : "") +
+        "choose another --out or remove it");
+  }
   const RunFolder folder(path);
   try {
     write_atomically(folder.file("scene.yaml"), scene_text);

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "coupling/records/provenance.hpp"
-#include "coupling/records/reader.hpp"
 #include "coupling/records/text_file.hpp"
 #include "coupling/scene/depths.hpp"
 
@@ -55,8 +54,7 @@ double outward(const std::string& side, const std::array<double, 2>& f) {
 
 }  // namespace
 
-Summary::Summary(const std::string& path, const std::string& records, double resume_time)
-    : path_(path), records_(records), resume_time_(resume_time), min_depth_(std::numeric_limits<double>::infinity()) {}
+Summary::Summary(const std::string& path) : path_(path), min_depth_(std::numeric_limits<double>::infinity()) {}
 
 void Summary::on_start(const RunStart& start) {
   const Scene& scene = *start.scene;
@@ -68,6 +66,7 @@ void Summary::on_start(const RunStart& start) {
   has_continuum_ = start.grid.nx > 0;
   cells_ = long(start.grid.nx) * start.grid.ny;
   effects_ = start.effects;
+  obstacles_.clear(), gauges_.clear(), measures_.clear();
   for (const std::string& name : start.obstacles) obstacles_.push_back({name, {}});
   if (has_continuum_)
     for (const GaugeSpec& gauge : scene.record.gauges) gauges_.push_back({gauge.name, GaugeSeries(arrival_depth(scene))});
@@ -79,54 +78,17 @@ void Summary::on_start(const RunStart& start) {
     if (std::ranges::none_of(start.stress_gauges, same)) unread_.emplace_back(of, g.name);
   }
   planes_ = start.planes_obstacle;
-  if (resume_time_ >= 0) read_back();
 }
 
-void Summary::read_back() {
-  const RecordsReader run(records_);
-  const double until = resume_time_ * (1 + 1e-12);
-  for (const Event& event : run.events())
-    if (event.time <= until) events_.push_back(event);
-  const std::vector<double> time = run.window("time"), length = run.window("length"), residual = run.window("momentum_residual"),
-                            scale = run.window("momentum_scale"), depth = run.window("min_depth"),
-                            overlap = run.window("max_overlap"), speed = run.window("max_speed"), grains = run.window("grains"),
-                            error = run.window("mass_relative_error");
-  std::vector<std::array<std::vector<double>, 4>> forces;
-  for (const Obstacle& o : obstacles_)
-    forces.push_back(
-        {run.force(o.name, "fx"), run.force(o.name, "fy"), run.force(o.name, "fz"), run.force(o.name, "depth_on_top")});
-  std::array<std::vector<double>, 3> planes;
-  if (planes_ >= 0) {
-    const std::string& name = obstacles_[planes_].name;
-    planes = {run.planes(name, "overflow"), run.planes(name, "heap"), run.planes(name, "climbed")};
-  }
-  std::vector<std::array<std::vector<double>, 3>> gauges;
-  for (const Gauge& g : gauges_)
-    gauges.push_back({run.gauge(g.name, "depth"), run.gauge(g.name, "velocity_along"), run.gauge(g.name, "velocity_across")});
-  std::vector<std::array<std::vector<double>, 2>> measures;
-  for (const Measure& m : measures_) measures.push_back({run.measure(m.what, "fx"), run.measure(m.what, "fy")});
-  std::vector<std::array<std::vector<double>, 3>> stresses;
-  for (const Stresses& s : stresses_) {
-    const std::string gauge = s.what.of + "/" + s.what.name;
-    stresses.push_back({run.stress(gauge, "normal"), run.stress(gauge, "up"), run.stress(gauge, "across")});
-  }
-  for (std::size_t k = 0; k < time.size() && time[k] <= until; ++k) {
-    WindowReport window;
-    window.time = time[k], window.length = length[k];
-    window.momentum.residual = residual[k], window.momentum.scale = scale[k];
-    window.min_depth = depth[k], window.max_overlap = overlap[k], window.max_speed = speed[k];
-    window.grains = long(grains[k]);
-    for (const auto& f : forces) window.obstacles.push_back({{f[0][k], f[1][k], f[2][k]}, f[3][k]});
-    if (planes_ >= 0) {
-      ObstacleForce& o = window.obstacles[planes_];
-      o.overflow = planes[0][k], o.heap = planes[1][k], o.climbed = planes[2][k];
-    }
-    for (const auto& g : gauges) window.gauges.push_back({g[0][k], g[1][k], g[2][k]});
-    for (const auto& f : measures) window.measures.push_back({f[0][k], f[1][k]});
-    for (const auto& s : stresses) window.stresses.push_back({s[0][k], s[1][k], s[2][k]});
-    mass_error_ = std::max(mass_error_, error[k]);
-    take(window);
-  }
+// In the order of the members; obstacles, gauges, measures and stresses are those of the scene.
+void Summary::state(Archive& a) {
+  const auto each = [&a](auto& all) {
+    for (auto& one : all) a(one);
+  };
+  a(title_, scene_);
+  each(obstacles_), each(gauges_), each(measures_), each(stresses_);
+  a(overflow_, max_heap_, max_climbed_, events_, resumptions_, last_, mass_error_, residual_, min_depth_, max_overlap_,
+    max_speed_, peak_grains_);
 }
 
 void Summary::on_window(const WindowReport& window) {
@@ -277,6 +239,8 @@ std::string Summary::made(const RunEnd& end) const {
   for (const Effect& e : effects_) out["effects"].push_back({{"name", e.name}, {"on", e.on}, {"reason", e.reason}});
   out["events"] = Json::array();
   for (const Event& e : events_) out["events"].push_back({{"time", e.time}, {"what", e.what}});
+  out["resumed"] = Json::array();
+  for (const Resumption& r : resumptions_) out["resumed"].push_back({{"time", r.time}, {"reason", r.reason}});
   // A name or an engine's message that is not UTF-8 must not cost the run its summary.
   return out.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -27,6 +27,7 @@
 //             [N s]. Of the component along the slope, and .impulse_across; of a wall the component out of the domain
 //   flow      .max_speed [m/s]
 //   effects   [{name, on, reason}];  events [{time, what}]
+//   resumed   [{time, reason}]: where the run went on from a checkpoint
 
 #include <string>
 #include <vector>
@@ -39,12 +40,12 @@ namespace couloir {
 
 class Summary : public Observer {
  public:
-  // With `resume_time` >= 0 the windows and events up to then are first read from `records`, so that the peaks and sums
-  // are those of the whole run. Throws RecordError.
-  explicit Summary(const std::string& path, const std::string& records = "", double resume_time = -1);
+  explicit Summary(const std::string& path);
   void on_start(const RunStart&) override;
   void on_window(const WindowReport&) override;
   void on_event(const Event&) override;
+  void state(Archive&) override;
+  void on_resume(const Resumption& r) override { resumptions_.push_back(r); }
   void on_finish(const RunEnd&) override;  // writes the file; throws RecordError
 
   std::string text() const { return text_; }  // what was written; empty before on_finish
@@ -54,31 +55,33 @@ class Summary : public Observer {
   void take(const WindowReport&);
   void take_measures(const WindowReport&);
   void take_stresses(const WindowReport&);
-  void read_back();
 
   struct Obstacle {
     std::string name;
     ForceSeries along;
     double impulse_across = 0, max_depth = 0, depth_final = 0;
+    void state(Archive& a) { a(along, impulse_across, max_depth, depth_final); }
   };
   struct Gauge {
     std::string name;
     GaugeSeries series;
+    void state(Archive& a) { a(series); }
   };
 
   struct Stresses {
     StressGauge what;
     ForceSeries normal, up, across;  // [Pa]
+    void state(Archive& a) { a(normal, up, across); }
   };
 
   struct Measure {
     ForceMeasure what;
     ForceSeries series;
     double impulse_across = 0;
+    void state(Archive& a) { a(series, impulse_across); }
   };
 
-  std::string path_, records_, text_;
-  double resume_time_;
+  std::string path_, text_;
   std::string title_, scene_, mode_, engine_;
   double bulk_density_ = 0;
   bool has_continuum_ = false;
@@ -92,6 +95,7 @@ class Summary : public Observer {
   std::vector<std::pair<std::string, std::string>> unread_;  // gauges that no grains meet: obstacle, name
   std::vector<Effect> effects_;
   std::vector<Event> events_;
+  std::vector<Resumption> resumptions_;
   WindowReport last_;
   double mass_error_ = 0, residual_ = 0, min_depth_ = 0, max_overlap_ = 0, max_speed_ = 0;
   long peak_grains_ = 0;

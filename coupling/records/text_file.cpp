@@ -1,5 +1,8 @@
 #include "coupling/records/text_file.hpp"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -16,8 +19,29 @@ namespace {
 
 }  // namespace
 
-TextFile::TextFile(const std::string& path, bool append) : path_(path), file_(std::fopen(path.c_str(), append ? "a" : "w")) {
+TextFile::TextFile(const std::string& path, const char* mode) : path_(path), file_(std::fopen(path.c_str(), mode)) {
   if (!file_) fail(path);
+}
+
+TextFile::TextFile(const std::string& path, bool append) : TextFile(path, append ? "a" : "w") {}
+
+TextFile TextFile::reopened(const std::string& path, std::int64_t length) {
+  TextFile file(path, "r+");
+  file.go_back(length);
+  return file;
+}
+
+std::int64_t TextFile::settled() {
+  if (fsync(fileno(file_.get())) != 0) fail(path_);
+  return std::ftell(file_.get());
+}
+
+void TextFile::go_back(std::int64_t length) {
+  struct stat now {};
+  if (fstat(fileno(file_.get()), &now) != 0) fail(path_);
+  if (now.st_size < length)
+    throw RecordError(path_ + " is shorter than it was at the checkpoint: it is not the file of this run any more");
+  if (ftruncate(fileno(file_.get()), length) != 0 || std::fseek(file_.get(), length, SEEK_SET) != 0) fail(path_);
 }
 
 void TextFile::write(const std::string& text) {
@@ -33,6 +57,10 @@ void TextFile::line(const std::string& text) {
 
 void TextFile::line_before(const std::string& text, const std::string& tail) {
   write(text + "\n");
+  this->tail(tail);
+}
+
+void TextFile::tail(const std::string& tail) {
   const long end = std::ftell(file_.get());
   write(tail + "\n");
   std::fseek(file_.get(), end, SEEK_SET);

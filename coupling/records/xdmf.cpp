@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 namespace couloir {
@@ -59,22 +58,7 @@ std::string grains_grid(const FrameView& view) {
   return text + "\n      </Grid>";
 }
 
-// The whole frames of an earlier file up to `time`.
-std::string frames_until(const std::string& path, double time) {
-  const std::string open = "      <Grid GridType=\"Uniform\">", close = "      </Grid>\n", value = "<Time Value=\"",
-                    all = read_text(path);
-  std::string kept;
-  for (auto at = all.find(open); at != std::string::npos; at = all.find(open, at + 1)) {
-    const auto end = all.find(close, at);
-    if (end == std::string::npos || std::strtod(&all[all.find(value, at) + value.size()], nullptr) > time * (1 + 1e-8)) break;
-    kept += all.substr(at, end + close.size() - at);
-  }
-  return kept;
-}
-
 }  // namespace
-
-Xdmf::Xdmf(const std::string& folder, double resume_time) : folder_(folder), resume_time_(resume_time) {}
 
 void Xdmf::on_start(const RunStart& start) {
   grid_ = start.grid;
@@ -85,15 +69,26 @@ void Xdmf::on_frame(const FrameView& view) {
   if (view.grains && view.grains->size() > 0) add(grains_, "grains", grains_grid(view));
 }
 
+void Xdmf::state(Archive& a) {
+  for (auto& [file, name] : {std::pair{&flow_, "flow"}, std::pair{&grains_, "grains"}}) {
+    bool there = file->has_value();
+    std::int64_t length = there && !a.loading() ? (*file)->settled() : 0;
+    a(there, length);
+    if (!a.loading()) continue;
+    file->reset();
+    if (there) {
+      file->emplace(TextFile::reopened(path_of(name), length));
+      (*file)->tail(kTail);
+    } else {
+      std::filesystem::remove(path_of(name));
+    }
+  }
+}
+
 void Xdmf::add(std::optional<TextFile>& file, const std::string& name, const std::string& grid) {
   if (!file) {
-    const std::string path = folder_ + "/" + name + ".xdmf";
-    std::string before;
-    if (resume_time_ >= 0 && std::filesystem::exists(path)) before = frames_until(path, resume_time_);
-    file.emplace(path);
-    std::string text = head(name);
-    if (!before.empty()) text.append(1, '\n').append(before, 0, before.size() - 1);
-    file->line_before(text, kTail);
+    file.emplace(path_of(name));
+    file->line_before(head(name), kTail);
   }
   file->line_before(grid, kTail);
 }

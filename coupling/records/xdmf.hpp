@@ -16,17 +16,17 @@ namespace couloir {
 
 class Xdmf : public Observer {
  public:
-  // `folder`: of the run. A file is made with the first frame that has something for it; with `resume_time` >= 0 the frames
-  // up to then are read back from it. Throws RecordError.
-  explicit Xdmf(const std::string& folder, double resume_time = -1);
+  // `folder`: of the run. A file is made with the first frame that has something for it. Throws RecordError.
+  explicit Xdmf(const std::string& folder) : folder_(folder) {}
   void on_start(const RunStart&) override;
   void on_frame(const FrameView&) override;
+  void state(Archive&) override;
 
  private:
+  std::string path_of(const std::string& name) const { return folder_ + "/" + name + ".xdmf"; }
   void add(std::optional<TextFile>& file, const std::string& name, const std::string& grid);
 
   std::string folder_;
-  double resume_time_;
   Grid grid_;
   std::optional<TextFile> flow_, grains_;
 };

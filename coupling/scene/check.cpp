@@ -344,7 +344,8 @@ struct Checker {
   void records() const {
     constexpr double most_rows = 1e7;
     for (const auto& [key, interval] :
-         {std::pair{"record.forces", scene.record.forces}, std::pair{"record.frames", scene.record.frames}}) {
+         {std::pair{"record.forces", scene.record.forces}, std::pair{"record.frames", scene.record.frames},
+          std::pair{"record.checkpoint", checkpoint_interval(scene)}}) {
       if (scene.duration <= most_rows * interval) continue;
       const auto sec = [](double value) { return short_quantity(value, Dimension::time); };
       fail(key, "is {}, which makes more than ten million records in {}; use at least {}", sec(interval), sec(scene.duration),

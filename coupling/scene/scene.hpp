@@ -181,6 +181,7 @@ struct GaugeSpec {
 struct RecordSpec {
   double frames = 0.02;   // [s] between frames
   double forces = 0.001;  // [s] between rows of forces.csv, at least
+  double checkpoint = 0;  // [s] between checkpoints; 0: a twentieth of the duration
   std::vector<GaugeSpec> gauges;
 };
 
@@ -202,5 +203,9 @@ struct Scene {
   RecordSpec record;
   double duration = 0;  // [s]
 };
+
+inline double checkpoint_interval(const Scene& s) {  // [s]
+  return s.record.checkpoint > 0 ? s.record.checkpoint : s.duration / 20;
+}
 
 }  // namespace couloir

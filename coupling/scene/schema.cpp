@@ -285,6 +285,13 @@ void add_record(Keys& k) {
                COULOIR_AT(record.frames))
             .above(0));
   k.add(number("record.forces", time, "between rows of forces.csv, at least", COULOIR_AT(record.forces)).above(0));
+  k.add(
+      number(
+          "record.checkpoint", time,
+          "simulated, between checkpoints that couloir resume goes on from; 0: a twentieth of the duration, in mode continuum at "
+          "least 10 s of the clock apart; with grains it changes the last bits of a run",
+          COULOIR_AT(record.checkpoint))
+          .within(0, 1e6));
   const auto gauge = [](auto& s, int i) {
     auto& g = s.record.gauges[i];
     return std::tie(g.x, g.y);

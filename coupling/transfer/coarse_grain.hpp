@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "continuum/solver.hpp"
+#include "coupling/checkpoint/archive.hpp"
 #include "coupling/engine/grain_engine.hpp"
 
 namespace couloir {
@@ -12,6 +13,7 @@ namespace couloir {
 struct CoarseGrained {
   CellBox box;
   std::vector<FlowState> cells;  // [(j - j0) * (i1 - i0) + i - i0]
+  void state(Archive& a) { a(box, cells); }
   const FlowState& at(int i, int j) const { return cells[std::size_t(j - box.j0) * (box.i1 - box.i0) + i - box.i0]; }
 };
 

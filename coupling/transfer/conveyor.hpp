@@ -13,6 +13,7 @@
 #include <functional>
 #include <vector>
 
+#include "coupling/checkpoint/archive.hpp"
 #include "coupling/transfer/packing_table.hpp"
 #include "coupling/transfer/rim.hpp"
 
@@ -34,15 +35,14 @@ class Conveyor {
   double owed(int segment) const { return state_[segment].owed; }
   void owe(int segment, double mass) { state_[segment].owed += mass; }
 
-  struct State {          // of one segment, for checkpoints
+  void state(Archive& a) { a(state_); }
+
+ private:
+  struct State {          // of one segment
     double position = 0;  // [m] how far the block has come
     double owed = 0;      // [kg]
     long passed = 0;      // grains of the tiled block that have passed the insertion plane
   };
-  const std::vector<State>& states() const { return state_; }
-  void restore(const std::vector<State>& states) { state_ = states; }
-
- private:
   struct Candidate {
     double x, along, z, r;  // how far the block must come for it, along the face, above the bed
   };

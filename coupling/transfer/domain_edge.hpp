@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "continuum/terrain/reference_surface.hpp"
+#include "coupling/checkpoint/archive.hpp"
 #include "coupling/engine/grain_engine.hpp"
 
 namespace couloir {
@@ -22,6 +23,7 @@ class DomainEdge {
       const std::function<bool(std::int64_t)>& counted = [](std::int64_t) { return true; });
   double mass() const { return mass_; }          // [kg] since the start
   double momentum() const { return momentum_; }  // [N s] along X of the tilted frame, since the start
+  void state(Archive& a) { a(mass_, momentum_); }
 
  private:
   std::array<bool, 4> open_;

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "coupling/checkpoint/archive.hpp"
 #include "coupling/transfer/rim.hpp"
 
 namespace couloir {
@@ -39,6 +40,7 @@ class Handback {
   bool is_shadow(std::int64_t id) const { return id < std::int64_t(shadow_.size()) && shadow_[id]; }
   void mark_shadow(std::int64_t id);
   long returned() const { return returned_; }  // grains handed back since the start
+  void state(Archive& a) { a(pending_, shadow_, returned_); }
 
  private:
   const Rim* rim_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "continuum/terrain/reference_surface.hpp"
+#include "coupling/checkpoint/archive.hpp"
 #include "coupling/engine/grain_engine.hpp"
 
 namespace couloir {
@@ -16,6 +17,7 @@ class Overtopping {
 
   void look(const Grains&, const ReferenceSurface&);
   double mass() const { return mass_; }  // [kg] since the start
+  void state(Archive& a) { a(mass_, side_); }
 
  private:
   double middle_, y0_, y1_, density_, mass_ = 0;

@@ -50,6 +50,11 @@ class Zone {
   long inserted() const { return inserted_; }
   long returned() const { return handback_.returned(); }
   const CoarseGrained& field() const { return field_; }
+  // Between two windows; into a zone of the same settings. The solver's covered cells are the solver's.
+  void state(Archive& a) {
+    a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, lent_, remainder_, next_id_, steps_, window_,
+      inserted_, fresh_);
+  }
 
  private:
   struct Segment {                            // of a face: what the flow outside does there

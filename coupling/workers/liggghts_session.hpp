@@ -19,7 +19,7 @@ struct SideFile {
   std::vector<FixDrive::Raft> rafts;
   std::vector<int> driven;  // pairs of grain and raft
 
-  void write(const std::string& path) const;
+  std::string bytes() const;
   static SideFile read(const std::string& path, const std::vector<DriveFace>&);  // whose rafts they must be
 };
 
@@ -45,7 +45,8 @@ class Session {
   void report_segments(Advanced&, std::int64_t steps) const;
   void report_energy_and_overlap(Advanced&) const;
   void gather_grains(Grains&) const;
-  SideFile side_file() const;  // the same on every rank
+  std::vector<std::uint8_t> restart_file();  // on the first rank
+  SideFile side_file() const;                // the same on every rank
   void take(const SideFile&);
 
   EngineSetup setup_;

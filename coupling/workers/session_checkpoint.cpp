@@ -1,11 +1,19 @@
 // A checkpoint is the engine's restart file and, beside it, PATH.drive: the rafts and which grains belong to them.
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <filesystem>
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <numeric>
+#include <sstream>
+#include <thread>
 #include <unordered_map>
 
+#include "coupling/checkpoint/checkpoint_error.hpp"
+#include "coupling/checkpoint/safe_file.hpp"
 #include "coupling/workers/engine_errors.hpp"
 #include "coupling/workers/liggghts_session.hpp"
 
@@ -29,23 +37,52 @@ T get(std::istream& in) {
 
 }  // namespace
 
+// The engine does not look whether its writes succeed: on a full disk it would leave half a file without a word. So it writes
+// into a pipe, and what comes out is ours to write.
+std::vector<std::uint8_t> Session::restart_file() {
+  if (rank_ != 0) {
+    command("write_restart elsewhere");  // the first rank alone opens it
+    return {};
+  }
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    throw EngineFailure(fmt::format("no pipe for the checkpoint: {}", std::strerror(errno)), false);
+  std::vector<std::uint8_t> bytes;
+  std::thread reader([&] {
+    std::array<std::uint8_t, 65536> some;
+    for (ssize_t count; (count = read(ends[0], some.data(), some.size())) != 0;) {
+      if (count > 0) bytes.insert(bytes.end(), some.begin(), some.begin() + count);
+      if (count < 0 && errno != EINTR) break;
+    }
+  });
+  const auto end_of_pipe = [&] {
+    close(ends[1]);
+    reader.join();
+    close(ends[0]);
+  };
+  try {
+    command(fmt::format("write_restart /proc/self/fd/{}", ends[1]));
+  } catch (...) {
+    end_of_pipe();
+    throw;
+  }
+  end_of_pipe();
+  return bytes;
+}
+
 // The writer sets itself up anew, as the reader will: from here on both have the same bits.
 // The engine cannot write a restart file without grains: that file is then empty, and the reader starts anew at the same step.
 void Session::checkpoint(const std::string& path) {
-  if (grains_ > 0) {
-    command("write_restart " + path + ".part");
-  } else if (rank_ == 0) {
-    std::ofstream(path + ".part").close();
-  }
+  std::vector<std::uint8_t> restart;
+  if (grains_ > 0) restart = restart_file();
   const SideFile side = side_file();
   if (rank_ == 0) {
-    side.write(path + ".drive.part");
-    std::error_code error, side_error;
-    std::filesystem::rename(path + ".drive.part", path + ".drive", side_error);
-    std::filesystem::rename(path + ".part", path, error);
-    if (error || side_error) {
-      throw EngineFailure(fmt::format("the checkpoint {} cannot be written: {}", path, (error ? error : side_error).message()),
-                          false);
+    try {
+      const std::string beside = side.bytes();
+      write_safely(path + ".drive", {reinterpret_cast<const std::uint8_t*>(beside.data()), beside.size()});
+      write_safely(path, restart);
+    } catch (const CheckpointError& error) {
+      throw EngineFailure(error.what(), false);
     }
   }
   MPI_Barrier(comm_);
@@ -84,8 +121,8 @@ void Session::take(const SideFile& side) {
   drive_->note_exits();
 }
 
-void SideFile::write(const std::string& path) const {
-  std::ofstream out(path, std::ios::binary);
+std::string SideFile::bytes() const {
+  std::ostringstream out;
   put(out, magic);
   put(out, step);
   put(out, grains);
@@ -99,8 +136,7 @@ void SideFile::write(const std::string& path) const {
   }
   put(out, static_cast<std::uint64_t>(driven.size()));
   out.write(reinterpret_cast<const char*>(driven.data()), static_cast<std::streamsize>(driven.size() * sizeof(int)));
-  out.close();
-  if (!out) throw EngineFailure("the checkpoint " + path + " cannot be written: is the disk full?", false);
+  return out.str();
 }
 
 SideFile SideFile::read(const std::string& path, const std::vector<DriveFace>& faces) {

@@ -13,6 +13,7 @@ namespace couloir {
 struct Watched : Observer {
   std::vector<WindowReport> windows;
   std::vector<Event> events;
+  std::vector<Resumption> resumed;
   std::vector<std::vector<double>> frames;  // depth, then grain positions and velocities
   RunEnd end;
   bool finished = false;
@@ -26,6 +27,12 @@ struct Watched : Observer {
       for (const auto* field : {&f.grains->x, &f.grains->y, &f.grains->z, &f.grains->vx, &f.grains->vy, &f.grains->vz})
         all.insert(all.end(), field->begin(), field->end());
     frames.push_back(all);
+  }
+  void on_resume(const Resumption& r) override { resumed.push_back(r); }
+  void state(Archive& a) override {  // as a recorder: what came since the checkpoint is taken back
+    std::size_t count[] = {windows.size(), events.size(), frames.size()};
+    a(count);
+    windows.resize(count[0]), events.resize(count[1]), frames.resize(count[2]);
   }
   void on_finish(const RunEnd& e) override {
     end = e;

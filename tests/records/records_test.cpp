@@ -6,9 +6,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "coupling/checkpoint/safe_file.hpp"
 #include "coupling/records/columns.hpp"
 #include "coupling/records/forces_csv.hpp"
 #include "coupling/records/reader.hpp"
+#include "coupling/records/summary.hpp"
 #include "coupling/records/text_file.hpp"
 #include "coupling/records/xdmf.hpp"
 #include "synthetic_run.hpp"
@@ -87,7 +93,8 @@ TEST(Records, DifferencesOfBlocksAreSeen) {
   record(refined_run(), folder / "b");
   const auto changed = [&](const char* name) {
     record(refined_run(), folder / name);
-    const h5::Handle file = h5::open_file(folder / (std::string(name) + "/records.h5"), true);
+    UndoJournal none;
+    const h5::Handle file = h5::open_file(folder / (std::string(name) + "/records.h5"), none);
     const h5::Handle set(H5Dopen2(file, (std::string("frames/000007/blocks/") + name).c_str(), H5P_DEFAULT), name);
     std::vector<double> all(h5::numbers(file, std::string("frames/000007/blocks/") + name));
     all.back() += 1;
@@ -136,7 +143,7 @@ TEST(Records, ExplainEveryDataset) {
   SyntheticRun run(Mode::coupled);
   run.refined = run.stresses = true;
   record(run, folder / "a");
-  const h5::Handle file = h5::open_file(folder / "a/records.h5", false);
+  const h5::Handle file = h5::open_file(folder / "a/records.h5");
   std::pair<int, std::string> found{0, ""};
   H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, find_silent, &found, H5O_INFO_BASIC);
   EXPECT_GT(found.first, 11 * 15);
@@ -148,7 +155,8 @@ TEST(Records, WithoutMeasuresAreRead) {
   const TemporaryFolder folder;
   record(SyntheticRun(Mode::coupled), folder / "a");
   {
-    const h5::Handle file = h5::open_file(folder / "a/records.h5", true);
+    UndoJournal none;
+    const h5::Handle file = h5::open_file(folder / "a/records.h5", none);
     ASSERT_GE(H5Ldelete(file, "measures", H5P_DEFAULT), 0);
     ASSERT_GE(H5Ldelete(file, "stresses", H5P_DEFAULT), 0);
     h5::flush(file, "a");
@@ -223,38 +231,102 @@ TEST(Records, StayReadableWhenTheRunIsKilled) {
   EXPECT_EQ(reader.window("time").size(), 200u);
 }
 
-// Interrupted at 0.35 s, after the second event, continued from a checkpoint at 0.15 s: the same as the run in one piece.
+// Made at 0.15 s, when a window waits for its row of forces.csv.
+struct Broken {
+  explicit Broken(const std::string& in, SyntheticRun& of) : folder(in), run(of) {
+    std::filesystem::create_directories(folder);
+    run.scene.record.forces = 0.004;
+    run.checkpoint_at = 0.15;
+  }
+  // Until 0.35 s, after the second event; or on from the checkpoint to the end.
+  void play(bool resumed) const {
+    Records records(folder + "/records.h5", "scene", folder, resumed);
+    ForcesCsv forces(folder + "/forces.csv", resumed);
+    Xdmf xdmf(folder);
+    Summary summary(folder + "/summary.json");
+    if (resumed)
+      run.play({&records, &forces, &xdmf, &summary}, 0.15);
+    else
+      run.play({&records, &forces, &xdmf, &summary}, 0, 0.35, true, "interrupted");
+  }
+  std::string folder;
+  SyntheticRun& run;
+};
+
+void expect_same(const std::string& whole, const std::string& broken) {
+  EXPECT_EQ(first_difference(RecordsReader(whole + "/records.h5"), RecordsReader(broken + "/records.h5")), "");
+  for (const char* name : {"/forces.csv", "/flow.xdmf", "/grains.xdmf"})
+    EXPECT_EQ(read_text(broken + name), read_text(whole + name)) << name;
+  auto a = nlohmann::json::parse(read_text(whole + "/summary.json")),
+       b = nlohmann::json::parse(read_text(broken + "/summary.json"));
+  EXPECT_EQ(b["resumed"], nlohmann::json::parse(R"([{"time": 0.15, "reason": "resumed"}])"));
+  a.erase("resumed"), b.erase("resumed");
+  EXPECT_EQ(a, b);
+}
+
+// The same as the run in one piece.
 TEST(Records, OfAContinuedRunAreThoseOfTheUnbrokenOne) {
   const TemporaryFolder folder;
   SyntheticRun run(Mode::coupled);
   run.planes = run.stresses = true;
+  const Broken broken(folder / "broken", run);
   record(run, folder / "whole");
-  std::filesystem::create_directories(folder / "broken");
-  const std::string path = folder / "broken/records.h5", csv = folder / "broken/forces.csv";
-  {
-    Records records(path, "scene");
-    ForcesCsv forces(csv);
-    Xdmf xdmf(folder / "broken");
-    run.play({&records, &forces, &xdmf}, 0, 0.35, true, "interrupted");
-  }
-  EXPECT_EQ(RecordsReader(path).text("status"), "interrupted");
-  {
-    Records records(path, "scene", 0.15);
-    ForcesCsv forces(csv, 0.15);
-    Xdmf xdmf(folder / "broken", 0.15);
-    run.play({&records, &forces, &xdmf}, 0.15);
-  }
-  const RecordsReader whole(folder / "whole/records.h5"), broken(path);
-  EXPECT_EQ(first_difference(whole, broken), "");
-  EXPECT_EQ(broken.planes(), std::vector<std::string>{"wall"});
-  EXPECT_EQ(broken.planes("wall", "heap")[300], run.window(300).obstacles[0].heap);
-  EXPECT_EQ(broken.stress_gauges(), std::vector<std::string>{"wall/middle"});
+  broken.play(false);
+  EXPECT_EQ(RecordsReader(folder / "broken/records.h5").text("status"), "interrupted");
+  broken.play(true);
+  expect_same(folder / "whole", broken.folder);
+  const RecordsReader reader(folder / "broken/records.h5");
+  EXPECT_EQ(reader.planes(), std::vector<std::string>{"wall"});
+  EXPECT_EQ(reader.planes("wall", "heap")[300], run.window(300).obstacles[0].heap);
+  EXPECT_EQ(reader.stress_gauges(), std::vector<std::string>{"wall/middle"});
   for (const auto& [column, times] : {std::pair{"normal", 2.0}, {"up", -0.5}, {"across", 0.1}})
-    EXPECT_EQ(broken.stress("wall/middle", column)[300], times * run.force(run.window(300).time)) << column;
-  EXPECT_EQ(broken.text("status"), "done");
-  EXPECT_EQ(broken.events().size(), 2u);
-  for (const char* name : {"forces.csv", "flow.xdmf", "grains.xdmf"})
-    EXPECT_EQ(read_text(folder / (std::string("broken/") + name)), read_text(folder / (std::string("whole/") + name))) << name;
+    EXPECT_EQ(reader.stress("wall/middle", column)[300], times * run.force(run.window(300).time)) << column;
+  EXPECT_EQ(reader.text("status"), "done");
+  EXPECT_EQ(reader.text("resumed"), "at 0.15 s: resumed");
+  EXPECT_EQ(reader.events().size(), 2u);
+}
+
+// Killed outright at any moment after the checkpoint, also in the middle of a write.
+TEST(Records, OfARunKilledAnywhereGoOnFromTheCheckpoint) {
+  const TemporaryFolder folder;
+  SyntheticRun run(Mode::coupled);
+  run.refined = true;
+  const Broken broken(folder / "broken", run);
+  record(run, folder / "whole");
+  const std::string state = folder / "state";
+  int killed = 0;
+  for (int k = 0; k < 12; ++k) {
+    std::filesystem::remove_all(broken.folder);
+    std::filesystem::create_directories(broken.folder);
+    std::filesystem::remove(state);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      struct Saver : Observer {  // the last to hear of it: what all have saved is then there
+        const SyntheticRun& run;
+        std::string file;
+        Saver(const SyntheticRun& r, std::string f) : run(r), file(std::move(f)) {}
+        void on_checkpoint(std::int64_t) override { write_safely(file, run.saved); }
+      } saver(run, state);
+      Records records(broken.folder + "/records.h5", "scene", broken.folder);
+      ForcesCsv forces(broken.folder + "/forces.csv");
+      Xdmf xdmf(broken.folder);
+      Summary summary(broken.folder + "/summary.json");
+      run.play({&records, &forces, &xdmf, &summary, &saver});
+      _exit(0);
+    }
+    for (int n = 0; n < 100000 && !std::filesystem::exists(state); ++n) usleep(100);
+    usleep(1700 * k);
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    killed += WIFSIGNALED(status);
+    std::ifstream in(state, std::ios::binary);
+    run.saved.assign(std::istreambuf_iterator<char>(in), {});
+    broken.play(true);
+    expect_same(folder / "whole", broken.folder);
+  }
+  EXPECT_GT(killed, 3);
 }
 
 }  // namespace

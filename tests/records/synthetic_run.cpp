@@ -198,8 +198,15 @@ void SyntheticRun::play(const std::vector<Observer*>& observers, double from, do
     if (scene.mode != Mode::continuum) view.grains = &g;
     tell([&](Observer& o) { o.on_frame(view); });
   };
-  const RunStart begin = start();
+  constexpr std::int64_t number = 3;
+  RunStart begin = start();
+  begin.resumed = from > 0;
   tell([&](Observer& o) { o.on_start(begin); });
+  if (from > 0) {
+    Archive a(number, saved);
+    tell([&](Observer& o) { o.state(a); });
+    tell([&](Observer& o) { o.on_resume({from, "resumed"}); });
+  }
   if (from == 0) frame(0, 0);
   for (long k = std::lround(from / length); k < windows && (k + 1) * length <= until + 1e-9; ++k) {
     if (k == 99) tell([](Observer& o) { o.on_event({0.1, "the flow reaches the wall: its front is 1 mm from it"}); });
@@ -207,6 +214,11 @@ void SyntheticRun::play(const std::vector<Observer*>& observers, double from, do
     const WindowReport report = window(k);
     tell([&](Observer& o) { o.on_window(report); });
     if ((k + 1) % frame_every == 0) frame(report.time, (k + 1) / frame_every);
+    if (std::abs(report.time - checkpoint_at) > length / 2) continue;
+    Archive a(number);
+    tell([&](Observer& o) { o.state(a); });
+    saved = a.bytes();
+    tell([&](Observer& o) { o.on_checkpoint(number); });
   }
   if (!finish) return;
   RunEnd end;

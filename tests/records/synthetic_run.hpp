@@ -13,7 +13,8 @@ namespace couloir::testing {
 struct SyntheticRun {
   explicit SyntheticRun(Mode mode, double scale = 1);  // `scale` multiplies the forces
 
-  // Tells the observers the whole run from `from` on, or up to `until` and then, with `finish`, its end.
+  // Tells the observers the whole run, or up to `until` and then, with `finish`, its end. With a `from` they go on from the
+  // checkpoint that was made there.
   void play(const std::vector<Observer*>& observers, double from = 0, double until = 1e9, bool finish = true,
             const std::string& status = "done") const;
 
@@ -33,9 +34,11 @@ struct SyntheticRun {
   ReferenceSurface surface;
   Grid grid;
   double scale;
-  bool refined = false;  // two blocks of cells of half and a quarter of the size before the wall
+  double checkpoint_at = -1;  // [s] where their states are saved; -1: nowhere
+  mutable std::vector<std::uint8_t> saved;
+  bool refined = false;   // two blocks of cells of half and a quarter of the size before the wall
   bool stresses = false;  // a gauge on the wall: normal, up and across 2, -0.5 and 0.1 times the force
-  bool planes = false;  // the wall is made of planes: a heap that is deepest at 0.1 s, a climb that is highest at 0.12 s
+  bool planes = false;    // the wall is made of planes: a heap that is deepest at 0.1 s, a climb that is highest at 0.12 s
 };
 
 // A folder that is gone when the test ends.

@@ -36,7 +36,7 @@ std::vector<std::string> tags(const std::string& text) {
 
 int check_references(const std::string& folder, const std::string& name) {
   const std::string text = read_text(folder + "/" + name);
-  const h5::Handle file = h5::open_file(folder + "/records.h5", false);
+  const h5::Handle file = h5::open_file(folder + "/records.h5");
   static const std::regex item(
       "<DataItem Dimensions=\"([0-9 ]+)\" NumberType=\"(\\w+)\" Precision=\"(\\d)\" "
       "Format=\"HDF\">records.h5:([^<]+)</DataItem>");
@@ -96,7 +96,7 @@ TEST(Xdmf, DrawsTheFreeSurfaceInTheLevelFrame) {
   const TemporaryFolder folder;
   const SyntheticRun run(Mode::continuum);
   record(run, folder.path());
-  const h5::Handle file = h5::open_file(folder / "records.h5", false);
+  const h5::Handle file = h5::open_file(folder / "records.h5");
   const std::vector<double> points = h5::numbers(file, "frames/000003/surface"), h = run.depth(0.12);
   const int i = 40, j = 25;
   const std::size_t k = std::size_t(j) * run.grid.nx + i;
@@ -124,7 +124,7 @@ TEST(Xdmf, ShowsNoVelocityOfWhatIsThinForTheScene) {
       view.h = &h, view.hu = &hu, view.hv = &hv;
       records.on_frame(view);
     }
-    const h5::Handle file = h5::open_file(folder / "records.h5", false);
+    const h5::Handle file = h5::open_file(folder / "records.h5");
     const std::vector<double> v = h5::numbers(file, "frames/000000/velocity");
     const double expected[] = {0, 0, 2, 2};
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(std::hypot(v[3 * i], v[3 * i + 2]), expected[i], 1e-6) << size << ", cell " << i;
