@@ -24,7 +24,7 @@ CASES = {  # scene overrides, words beside them
     "continuum": (["mode=continuum", "continuum.cell=5 mm"], []),
     "adaptive": (["mode=continuum", "continuum.adapt={levels: 2, interval: 4}", "continuum.block=8"], ["--threads", "2"]),
     "coupled": (["duration=0.12 s"], []),
-    "coupled_two_ranks": (["duration=0.12 s", "grains.ranks=2"], []),
+    "coupled_two_ranks": (["duration=0.12 s", "grains.ranks=2", "grains.timeout=10 s"], []),  # ranks beside other work may pause
     "coupled_yade": (["duration=0.08 s", "grains.engine=yade"], []),
     "grains": (["mode=grains", "duration=0.05 s", "record.checkpoint=2 ms"], []),
 }

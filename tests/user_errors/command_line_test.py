@@ -131,9 +131,9 @@ class CommandLine(unittest.TestCase):
         run.send_signal(signal.SIGUSR1)
         _, errors = run.communicate(timeout=120)
         self.assertEqual(run.returncode, 3, errors)
-        self.assertEqual(errors.count("saved in"), 1, errors)
+        self.assertEqual(errors.count("couloir resume"), 1, errors)
         self.assertEqual(json.loads((self.dir / "run/summary.json").read_text())["status"], "interrupted")
-        self.assertGreater((self.dir / "run/engine/continuum.state").stat().st_size, 100000)
+        self.assertGreater((self.dir / "run/checkpoint/state").stat().st_size, 100000)
 
     def test_an_instruction_set_that_is_none(self):
         for word in ("avx1024", "AVX2"):
@@ -169,16 +169,23 @@ class CommandLine(unittest.TestCase):
     def test_a_report_of_no_run(self):
         self.expect(couloir("report", self.dir), 2, "is not a run folder")
 
-    def test_a_killed_worker_ends_with_4_and_the_state_named(self):
-        run = self.run_until_grains_start()
+    def kill_worker(self, run):
         children = pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()
         self.assertEqual(len(children), 1)
         os.kill(int(children[0]), signal.SIGKILL)
+
+    def test_a_killed_worker_ends_with_4_and_the_state_named(self):
+        run = self.run_until_grains_start()
+        self.kill_worker(run)
+        log, deadline = self.dir / "run/log.txt", time.time() + 60
+        while time.time() < deadline and "goes on from the checkpoint" not in log.read_text():
+            time.sleep(0.005)
+        self.kill_worker(run)  # the second time
         _, errors = run.communicate(timeout=60)
         self.assertEqual(run.returncode, 4, errors)
         self.assertIn("killed by signal 9", errors)
         self.assertIn(str(self.dir / "run"), errors)
-        self.assertTrue((self.dir / "run/engine/continuum.state").exists())
+        self.assertIn(f"couloir resume {self.dir / 'run'} goes on from t = ", errors)
         summary = json.loads((self.dir / "run/summary.json").read_text())
         self.assertEqual(summary["status"], "failed")
 
@@ -187,7 +194,7 @@ class CommandLine(unittest.TestCase):
         run.send_signal(signal.SIGINT)
         _, errors = run.communicate(timeout=60)
         self.assertEqual(run.returncode, 3, errors)
-        self.assertIn("saved in", errors)
+        self.assertIn(f"couloir resume {self.dir / 'run'} goes on from t = ", errors)
         self.assertEqual(json.loads((self.dir / "run/summary.json").read_text())["status"], "interrupted")
 
     def test_json_is_json_alone(self):
