@@ -64,7 +64,7 @@ def picture(series, out):
             _, measured, theory = series[check, engine, "hertz"][0]
             ax.plot(n, measured / theory, ls="none", label=engine if n == 0 else None, **look)
     ax.axhline(1, color="black", lw=1)
-    ax.axhspan(0.8, 1.2, color="0.92", zorder=0)
+    ax.axhspan(0.9, 1.1, color="0.92", zorder=0)
     ax.set(title="column a = 1 and its heap", xticks=range(3), ylabel="measured over theory", ylim=(0.6, 1.4), xlim=(-0.5, 2.5))
     ax.set_xticklabels(["run-out", "weight\non floor", "wall over\nfloor"])
     for ax in axes.flat:

@@ -122,7 +122,7 @@ TEST_P(Granular, ColumnCollapsesAsFarAsMeasured) {
 
 TEST(Column, OfGrainsThatRollRunsFurther) {
   const Collapse c = collapse(worker_path("liggghts"), 0.5, 0.15);
-  figure("collapse: runout, phi 27 deg", "liggghts", "hertz", 1, c.runout, lube);
+  figure("collapse: runout at phi 27 deg", "liggghts", "hertz", 1, c.runout, lube);
   EXPECT_GT(c.runout, 1.1 * lube);
 }
 
@@ -185,6 +185,6 @@ TEST(Silo, RunsOutInYade) {
   const Packing packing = block(length - 1.1 * d, height, folder.path);
   const double rate = discharge(worker_path("yade"), folder.path, packing, slot, length, height, 0.15);
   const double law = 1.03 * packing.solid_fraction * density * std::sqrt(g) * std::pow(slot - 1.4 * d, 1.5);
-  figure("silo: rate, 0.07 s [kg/s/m]", "yade", "hertz", 6.5, rate, law);
+  figure("silo: rate in 0.07 s [kg/s/m]", "yade", "hertz", 6.5, rate, law);
   EXPECT_NEAR(rate, law, 0.3 * law);
 }
