@@ -24,7 +24,7 @@ const std::string bare_scene =
     "0.04, "
     "left: 0.05, right: 0.06, margin: 0.01}]}\n"
     "grains: {diameter: 0.005, timestep: 1e-5, skin: 0.001, timeout: 100, zone: {x: [1, 1.5], y: [-0.3, 0.25]}}\n"
-    "record: {frames: 0.25, forces: 0.125, gauges: {one: {position: [1.1, 0.03], size: [0.02, 0.04]}}}\n"
+    "record: {frames: 0.25, forces: 0.125, checkpoint: 0.5, gauges: {one: {position: [1.1, 0.03], size: [0.02, 0.04]}}}\n"
     "duration: 1.5\n";
 
 class SceneScales : public SceneFixture {
