@@ -21,6 +21,7 @@
 #include "coupling/records/console.hpp"
 #include "coupling/records/provenance.hpp"
 #include "coupling/records/text_file.hpp"
+#include "coupling/scene/calibration_name.hpp"
 #include "coupling/scene/reader.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "coupling/scene/units.hpp"
@@ -32,6 +33,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double usual_diameter = 0.004;  // [m] where neither the material nor the scene has one
+
+constexpr double least_diameter = 1e-5, most_diameter = 1;  // [m] beyond, a number without its unit is more likely meant
 
 struct CalibrateVerb {
   std::string material, engine, out, diameter;
@@ -49,7 +52,8 @@ struct Subject {
 Subject subject_of(const CalibrateVerb& verb) {
   Subject s;
   std::error_code error;
-  if (fs::exists(verb.material, error)) {
+  const bool by_scene = fs::exists(verb.material, error);
+  if (by_scene) {
     s.scene = read_scene(verb.material, materials_folder());
   } else {
     s.scene.material = read_material(verb.material, materials_folder());
@@ -58,7 +62,12 @@ Subject subject_of(const CalibrateVerb& verb) {
   const Material& m = s.scene.material;
   s.name = m.name.empty() ? fs::path(verb.material).stem().string() : m.name;
   const std::string file = fmt::format("{}/{}.yaml", materials_folder(), s.name);
-  if (fs::exists(file, error)) s.file = file;
+  if (fs::exists(file, error)) {
+    if (!by_scene || s.scene.places.of("material.density").starts_with(file))
+      s.file = file;
+    else  // the scene's own material, which only has the name of one that is kept: not to be taken for it
+      s.name = fs::absolute(verb.material).parent_path().filename().string() + "-" + s.name;
+  }
   if (!verb.engine.empty()) s.scene.grains.engine = verb.engine;
   if (!verb.diameter.empty()) {
     try {
@@ -69,6 +78,11 @@ Subject subject_of(const CalibrateVerb& verb) {
   }
   if (!(s.scene.grains.diameter > 0))
     throw SceneError(fmt::format("{}: the grains have no diameter above 0; give one, as in --diameter '4 mm'", verb.material));
+  if (s.scene.grains.diameter < least_diameter || s.scene.grains.diameter > most_diameter)
+    throw SceneError(
+        fmt::format("{}: grains of {:g} mm are beyond what is calibrated, {:g} to {:g} mm; give another diameter, as in "
+                    "--diameter '4 mm'",
+                    verb.material, 1e3 * s.scene.grains.diameter, 1e3 * least_diameter, 1e3 * most_diameter));
   if (!(m.delta > 0) || !(m.phi > 0))
     throw SceneError(fmt::format(
         "{}: the material {} has no measured angles to calibrate for: give it basal_friction_angle and internal_friction_angle "
@@ -115,9 +129,7 @@ void write_lines(const std::string& path, const std::string& lines) {
 std::string keep(const CalibrationRecord& record, const std::string& text, const Subject& s, bool values) {
   const fs::path folder = fs::path(materials_folder()).parent_path() / "calibrations";
   fs::create_directories(folder);
-  std::string name = fmt::format("{}-{}-{:g}mm", s.name, s.scene.grains.engine, 1000 * record.diameter);
-  if (record.contact != "hertz") name += "-" + record.contact;
-  if (record.rotation != "free") name += "-" + record.rotation;
+  const std::string name = calibration_name(s.name, s.scene.grains.engine, record.contact, record.rotation, record.diameter);
   const std::string path = (folder / (name + ".yaml")).string();
   write_lines(path, text);
   if (!values) return path;

@@ -53,6 +53,7 @@ class Calibration {
     r.restitution = s.restitution;
     r.youngs_modulus = s.youngs_modulus;
     r.poisson_ratio = s.poisson_ratio;
+    if (task_.plan.seeds.size() < 2) r.notes.push_back("one replicate: how uncertain the angles are is not known, and told as 0");
     for (const long seed : task_.plan.seeds) r.seeds.push_back(static_cast<double>(seed));
     r.slab_length = task_.plan.length;
     r.slab_width = task_.plan.width;

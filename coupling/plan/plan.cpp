@@ -10,6 +10,7 @@
 #include "coupling/plan/effects.hpp"
 #include "coupling/plan/limits.hpp"
 #include "coupling/plan/release.hpp"
+#include "coupling/scene/calibration_name.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/refine.hpp"
 #include "coupling/scene/stress_gauge.hpp"
@@ -160,11 +161,20 @@ void warn(Plan& plan, const Scene& scene) {
     say(fmt::format("The two models brake differently: base friction of the grains is {:.3g}, tan(delta) is {:.3g}.", mu,
                     tan_delta));
   }
-  if (mu > 0.4) {
+  const GrainSpec& g = scene.grains;
+  if (const double rolling = scene.material.grain.rolling_friction; mu > 0.4 && rolling < 0.4 && g.rotation == "free") {
+    say(fmt::format(
+        "Base friction {:.3g} is above 0.4 and the rolling friction between grains, {:.3g}, below 0.4: the lowest grains "
+        "roll then, and their friction is less sharp than Coulomb's.",
+        mu, rolling));
+  }
+  const Material& m = scene.material;
+  if (const std::string own = calibration_name(m.name, g.engine, g.contact, g.rotation, d);
+      !m.calibration.empty() && m.calibration != own) {
     say(
-        fmt::format("Base friction {:.3g} is above 0.4, where the lowest grains begin to roll: the grains' friction is then less "
-                    "sharp than Coulomb's.",
-                    mu));
+        fmt::format("The material's frictions are of the record {}, these grains would be {}: they may show other angles "
+                    "(docs/calibration.md).",
+                    m.calibration, own));
   }
   if (plan.at_obstacle.depth < 3 * d) {
     say(fmt::format("The flow at the obstacle is expected to be {:.3g} mm deep, less than three grains of {}.",

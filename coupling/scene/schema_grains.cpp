@@ -77,7 +77,7 @@ void add_grain_material(Keys& k, const std::string& prefix, Presence presence) {
   add("rolling_friction", none, "rolling friction between grains", {0, 5}, &G::rolling_friction);
   add("base_rolling_friction", none, "rolling friction of a grain on bed, obstacles and sides", {0, 5},
       &G::base_rolling_friction);
-  add("restitution", none, "coefficient of restitution", {0.05, 1}, &G::restitution);
+  add("restitution", none, "coefficient of restitution; LIGGGHTS takes none of 0.05 or less", {0.05, 1, true}, &G::restitution);
   add("youngs_modulus", pressure, "stiffness of a grain; LIGGGHTS takes no less than 5 MPa", {5e6, 1e12}, &G::youngs_modulus);
   add("poisson_ratio", none, "Poisson's ratio of a grain", {0, 0.49}, &G::poisson_ratio);
 }

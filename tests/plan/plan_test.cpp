@@ -32,7 +32,17 @@ TEST(Plan, OfTheWall) {
   EXPECT_GT(plan.engine_steps, 10000);
   EXPECT_GT(plan.memory, 1e7);
   EXPECT_DOUBLE_EQ(plan.time, plan.time_continuum + plan.time_engine);
-  EXPECT_THAT(plan.warnings, Contains(HasSubstr("0.445 is above 0.4")));
+  EXPECT_THAT(plan.warnings, Not(Contains(HasSubstr("above 0.4"))));
+}
+
+TEST(Plan, SaysWhereFrictionsAreNotThoseOfTheirCalibration) {
+  const auto warnings = [](const Overrides& more) { return make_plan(experiment("chiou_wall", more)).warnings; };
+  EXPECT_THAT(warnings({}), Not(Contains(HasSubstr("of the record"))));
+  EXPECT_THAT(warnings({{"grains.rolling_friction", "0.15"}}),
+              Contains(HasSubstr("0.445 is above 0.4 and the rolling friction between grains, 0.15, below 0.4")));
+  EXPECT_THAT(warnings({{"grains.diameter", "6 mm"}, {"grains.engine", "yade"}, {"grains.rotation", "blocked"}}),
+              Contains(HasSubstr("of the record vestolen-liggghts-4mm, these grains would be vestolen-yade-6mm-blocked")));
+  EXPECT_THAT(warnings({{"mode", "continuum"}, {"grains.diameter", "6 mm"}}), Not(Contains(HasSubstr("of the record"))));
 }
 
 TEST(Plan, SaysTheScheme) {
