@@ -170,7 +170,9 @@ class CommandLine(unittest.TestCase):
         self.expect(couloir("report", self.dir), 2, "is not a run folder")
 
     def kill_worker(self, run):
-        children = pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()
+        children, deadline = [], time.time() + 60  # one that is started again may take a while
+        while not children and time.time() < deadline:
+            children = pathlib.Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()
         self.assertEqual(len(children), 1)
         os.kill(int(children[0]), signal.SIGKILL)
 
