@@ -39,7 +39,7 @@ def setup(folder):
                  lo=np.full(3, -DIAMETER), hi=np.array([LENGTH + DIAMETER, WIDTH + DIAMETER, HEIGHT]),
                  periodic=np.zeros(3, bool), density=DENSITY, max_radius=0.5 * DIAMETER * (1 + SPREAD), skin=0, friction=0.5,
                  rolling_friction=0.15, restitution=0.5, youngs_modulus=YOUNGS_MODULUS, poisson_ratio=POISSON_RATIO,
-                 contact="hertz", linear=None, surfaces=[Surface(n, rectangle(*s), 0.5, 0.15) for n, s in sides.items()],
+                 contact="hertz", linear=None, rotation="free", control=None, surfaces=[Surface(n, rectangle(*s), 0.5, 0.15) for n, s in sides.items()],
                  faces=[], ranks=1, timeout=60, work_dir=folder)
 
 
