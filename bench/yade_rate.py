@@ -24,7 +24,7 @@ YOUNGS_MODULUS, POISSON_RATIO = 5e6, 0.25
 def setup(folder):
     """A floor and four walls; the box is tilted by turning gravity."""
     import numpy as np
-    from couloir_yade.messages import Setup, Surface
+    from couloir_yade.messages import Control, Setup, Surface
 
     def rectangle(o, a, b):
         o, a, b = (np.array(v, float) for v in (o, a, b))
@@ -39,7 +39,7 @@ def setup(folder):
                  lo=np.full(3, -DIAMETER), hi=np.array([LENGTH + DIAMETER, WIDTH + DIAMETER, HEIGHT]),
                  periodic=np.zeros(3, bool), density=DENSITY, max_radius=0.5 * DIAMETER * (1 + SPREAD), skin=0, friction=0.5,
                  rolling_friction=0.15, restitution=0.5, youngs_modulus=YOUNGS_MODULUS, poisson_ratio=POISSON_RATIO,
-                 contact="hertz", linear=None, rotation="free", control=None, surfaces=[Surface(n, rectangle(*s), 0.5, 0.15) for n, s in sides.items()],
+                 contact="hertz", linear=None, rotation="free", control=Control(0, 0, 0, 0, 0), surfaces=[Surface(n, rectangle(*s), 0.5, 0.15) for n, s in sides.items()],
                  faces=[], ranks=1, timeout=60, work_dir=folder)
 
 
@@ -53,7 +53,7 @@ def loose_grains():
                 grains.append(NewGrain(len(grains) + 1,
                                        [(i + 0.5) * PITCH + wiggle, (j + 0.5) * PITCH - wiggle, (k + 0.6) * PITCH],
                                        [0.1 * math.cos(3 * i + j), 0.1 * math.sin(2 * j + k), -0.2],
-                                       0.5 * DIAMETER * (1 + SPREAD * math.sin(29 * i + 13 * j + 7 * k)), -1, -1))
+                                       0.5 * DIAMETER * (1 + SPREAD * math.sin(29 * i + 13 * j + 7 * k)), -1, -1, [0, 0, 0]))
     return grains
 
 
