@@ -99,12 +99,26 @@ struct SegmentDrive {
   Vec exit_velocity{};  // [m/s]
 };
 
+// Which raft a grain belongs to from now on.
+struct Regrouped {
+  std::int64_t id = 0;
+  int face = 0, segment = 0;
+};
+
+// The rim has moved to these faces. Driven grains that are named belong to the new rafts, which start with their grains' mean
+// velocity; all others are free, with the velocity that they would have been freed with.
+struct RimMove {
+  std::vector<DriveFace> faces;
+  std::vector<Regrouped> driven;  // driven or free before; an unknown id is an EngineError
+};
+
 struct AdvanceRequest {
   std::int64_t steps = 0;
   std::vector<NewGrain> insert;                   // where they are before the first step; they drift in it like all others
   std::vector<std::int64_t> remove;               // removed before it; an unknown id is an EngineError
   std::vector<std::vector<SegmentDrive>> drives;  // [face][segment]; empty: as before
   bool want_grains = true;                        // send the grains back
+  std::vector<RimMove> rim_moves;                 // one at most; before insert, whose faces and segments are the new ones
 };
 
 struct SegmentReport {

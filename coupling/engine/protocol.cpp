@@ -53,8 +53,16 @@ void fields(A& a, SegmentDrive& s) {
   a(s.push, s.most, s.least, s.along, s.least_mass, s.exit_active, s.exit_velocity);
 }
 template <class A>
+void fields(A& a, Regrouped& s) {
+  a(s.id, s.face, s.segment);
+}
+template <class A>
+void fields(A& a, RimMove& s) {
+  a(s.faces, s.driven);
+}
+template <class A>
 void fields(A& a, AdvanceRequest& s) {
-  a(s.steps, s.insert, s.remove, s.drives, s.want_grains);
+  a(s.steps, s.insert, s.remove, s.drives, s.want_grains, s.rim_moves);
 }
 template <class A>
 void fields(A& a, SegmentReport& s) {

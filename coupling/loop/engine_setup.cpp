@@ -63,7 +63,7 @@ EngineSetup material_setup(const Scene& s, const ReferenceSurface& surface, doub
   return setup;
 }
 
-void add_bed(EngineSetup& setup, const Scene& s, const char* name, std::vector<Triangle> mesh) {
+void add_bed(EngineSetup& setup, const Scene& s, const std::string& name, std::vector<Triangle> mesh) {
   const GrainMaterial& m = s.material.grain;
   setup.surfaces.push_back({name, std::move(mesh), m.base_friction, m.base_rolling_friction});
 }
@@ -167,9 +167,35 @@ EngineSetup engine_setup_whole(const Scene& s, const ReferenceSurface& surface, 
   return setup;
 }
 
-EngineSetup engine_setup_zone(const Scene& s, const ReferenceSurface& surface, const ZoneBox& z, const Rim& rim, double density,
-                              const std::string& work_dir) {
+namespace {
+
+std::string bed_name(const PlannedZone& zone, int a, int b) {
+  return a == zone.lines.at_x && b == zone.lines.at_y ? "bed" : "bed_" + std::to_string(a) + "_" + std::to_string(b);
+}
+
+// Each rectangle between the zone's lines: its numbers and cells.
+template <class Each>
+void for_steps(const ZoneLines& l, const Each& each) {
+  for (int b = 0; b + 1 < int(l.y.size()); ++b)
+    for (int a = 0; a + 1 < int(l.x.size()); ++a) each(a, b, CellBox{l.x[a], l.x[a + 1], l.y[b], l.y[b + 1]});
+}
+
+}  // namespace
+
+std::vector<std::string> bed_surfaces(const PlannedZone& zone, const CellBox& box) {
+  std::vector<std::string> names;
+  for_steps(zone.lines, [&](int a, int b, const CellBox& step) {
+    if (box.contains(step.i0, step.j0)) names.push_back(bed_name(zone, a, b));
+  });
+  return names;
+}
+
+EngineSetup engine_setup_zone(const Scene& s, const ReferenceSurface& surface, const PlannedZone& planned, const Rim& rim,
+                              double density, const std::string& work_dir) {
   EngineSetup setup = material_setup(s, surface, density, work_dir);
+  const Grid grid = grid_of(s);
+  const ZoneLines& lines = planned.lines;
+  const ZoneBox z = box_of({lines.x.front(), lines.x.back(), lines.y.front(), lines.y.back()}, grid);
   Patch region{z.x0, z.x1, z.y0, z.y1};
   const double margin = rim.buffer() + open_margin * s.grains.diameter;
   const auto touches_open = [&](int side, bool touches) { return touches && s.sides[side].open(); };
@@ -179,15 +205,16 @@ EngineSetup engine_setup_zone(const Scene& s, const ReferenceSurface& surface, c
   if (touches_open(1, z.x1 > length - near)) region.x1 += margin;
   if (touches_open(2, z.y0 < -half + near)) region.y0 -= margin;
   if (touches_open(3, z.y1 > half - near)) region.y1 += margin;
-  for (const RimFace& face : rim.faces()) {
-    if (face.side == SideName::upstream) region.x0 -= margin;
-    if (face.side == SideName::downstream) region.x1 += margin;
-    if (face.side == SideName::left) region.y0 -= margin;
-    if (face.side == SideName::right) region.y1 += margin;
-    setup.faces.push_back(face.drive);
-  }
+  if (lines.x.front() > 0) region.x0 -= margin;
+  if (lines.x.back() < grid.nx) region.x1 += margin;
+  if (lines.y.front() > 0) region.y0 -= margin;
+  if (lines.y.back() < grid.ny) region.y1 += margin;
+  for (const RimFace& face : rim.faces()) setup.faces.push_back(face.drive);
   const double size = mesh_size(s);
-  add_bed(setup, s, "bed", bed_mesh(surface, {z.x0, z.x1, z.y0, z.y1}, size));
+  for_steps(lines, [&](int a, int b, const CellBox& step) {
+    const ZoneBox at = box_of(step, grid);
+    add_bed(setup, s, bed_name(planned, a, b), bed_mesh(surface, {at.x0, at.x1, at.y0, at.y1}, size));
+  });
   std::vector<Triangle> around;
   for (const Patch& p : {Patch{region.x0, z.x0, region.y0, region.y1}, Patch{z.x1, region.x1, region.y0, region.y1},
                          Patch{z.x0, z.x1, region.y0, z.y0}, Patch{z.x0, z.x1, z.y1, region.y1}})
@@ -195,7 +222,7 @@ EngineSetup engine_setup_zone(const Scene& s, const ReferenceSurface& surface, c
       for (const Triangle& t : bed_mesh(surface, p, size)) around.push_back(t);
   if (!around.empty()) add_bed(setup, s, "bed_rim", std::move(around));
   const double height = throw_height(s, surface, z.x1);
-  add_obstacles_and_sides(setup, s, surface, z, region, height, size);
+  add_obstacles_and_sides(setup, s, surface, planned.box, region, height, size);
   set_box(setup, s, surface, region, height);
   return setup;
 }

@@ -54,6 +54,9 @@ void GrainSide::begin(const EngineSetup& setup, const std::vector<StressGauge>& 
 
 void GrainSide::start(const EngineSetup& setup, const std::vector<StressGauge>& gauges) {
   begin(setup, gauges);
+  steps_before_ += last_.step;
+  last_ = {};
+  mean_force_.clear();
   engine_->start(setup);
   note_start();
 }
@@ -62,6 +65,23 @@ void GrainSide::restore(const EngineSetup& setup, const std::vector<StressGauge>
   begin(setup, gauges);
   engine_->restore(setup, checkpoint);
   note_start();
+}
+
+void GrainSide::rest() {
+  engine_->stop();
+  engine_.reset();
+  guard_.reset();
+  energy_before_ = {};
+  running_ = false;
+  last_.surface_force = mean_force_;
+  last_.max_overlap = 0;
+  Grains& g = last_.grains;
+  for (auto* v : {&g.vx, &g.vy, &g.vz}) std::fill(v->begin(), v->end(), 0.0);
+}
+
+void GrainSide::rest_again(const EngineSetup& setup, const std::vector<StressGauge>& gauges) {
+  begin(setup, gauges);
+  engine_.reset();
 }
 
 void GrainSide::note_start() {
@@ -86,7 +106,8 @@ void GrainSide::state(Archive& a) {
   if (guard_) energy_before_ = guard_->state();
   Grains& last = last_.grains;  // by which the guard judges the next advance
   a(last.id, last.x, last.y, last.z, last.vx, last.vy, last.vz, last.radius, last.driven, energy_before_);
-  a(overtopping_, cpu_, peak_, particle_steps_);
+  a(last_.step, last_.surface_force, mean_force_);
+  a(overtopping_, cpu_, peak_, particle_steps_, steps_before_);
 }
 
 const Advanced& GrainSide::advance(const AdvanceRequest& request) {
@@ -103,12 +124,16 @@ const Advanced& GrainSide::advance(const AdvanceRequest& request) {
   peak_ = std::max(peak_, long(last_.grains.size()));
   particle_steps_ += request.steps * std::int64_t(last_.grains.size());
   for (Overtopping& o : overtopping_) o.look(last_.grains, surface_);
+  const double weight = std::min(1.0, length_ / 0.02);
+  mean_force_.resize(last_.surface_force.size(), Vec{});
+  for (std::size_t s = 0; s < mean_force_.size(); ++s)
+    for (int k = 0; k < 3; ++k) mean_force_[s][k] += weight * (last_.surface_force[s][k] - mean_force_[s][k]);
   return last_;
 }
 
 ObstacleForce GrainSide::force(int k) const {
   ObstacleForce out;
-  if (!running_ || last_.surface_force.empty()) return out;
+  if (last_.surface_force.empty()) return out;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   for (const int s : surfaces_of_obstacle_[k]) force += Eigen::Vector3d::Map(last_.surface_force[s].data());
   const double x = scene_.obstacles[k].x;
@@ -118,7 +143,7 @@ ObstacleForce GrainSide::force(int k) const {
 
 std::vector<GaugeStress> GrainSide::stresses() const {
   std::vector<GaugeStress> out(gauges_.size());
-  if (!running_ || last_.surface_force.empty()) return out;
+  if (last_.surface_force.empty()) return out;
   for (std::size_t n = 0; n < gauges_.size(); ++n) {
     const auto force = Eigen::Vector3d::Map(last_.surface_force[surface_of_gauge_[n]].data());
     const ObstacleSpec& o = scene_.obstacles[gauges_[n].obstacle];

@@ -25,6 +25,10 @@ class GrainSide {
 
   void start(const EngineSetup&, const std::vector<StressGauge>&);
   void restore(const EngineSetup&, const std::vector<StressGauge>&, const std::string& checkpoint);
+  // The engine ends; its grains, at rest, and their mean forces of late stay as the last ones.
+  void rest();
+  void stay(std::int64_t steps) { length_ = double(steps) * timestep_; }  // a window at rest
+  void rest_again(const EngineSetup&, const std::vector<StressGauge>&);   // after state(): without an engine
   bool running() const { return running_; }
   const Advanced& advance(const AdvanceRequest&);
   const Advanced& last() const { return last_; }
@@ -41,6 +45,7 @@ class GrainSide {
   double impulse_x(int obstacle) const;                // likewise, by all parts of an obstacle
   double max_speed() const;                            // [m/s]
 
+  std::int64_t steps() const { return steps_before_ + last_.step; }  // of all engines so far
   long peak() const { return peak_; }
   std::int64_t particle_steps() const { return particle_steps_; }
   double cpu() const { return cpu_; }  // [s] of the engine
@@ -64,11 +69,12 @@ class GrainSide {
   std::vector<int> surface_of_gauge_;
   std::vector<Overtopping> overtopping_;
   Advanced last_;
+  std::vector<Vec> mean_force_;  // [N] by surface, of late: windows weigh less by 20 ms
   std::string engine_name_;
   bool running_ = false;
   double timestep_ = 0, cpu_ = 0, length_ = 0;
   long peak_ = 0;
-  std::int64_t particle_steps_ = 0;
+  std::int64_t particle_steps_ = 0, steps_before_ = 0;
 };
 
 }  // namespace couloir

@@ -166,6 +166,10 @@ ReferenceSurface reference_surface(const Scene& scene) {
   return ReferenceSurface::chute(t.angle, t.slope, t.arc, t.runout);
 }
 
+ZoneBox box_of(const CellBox& c, const Grid& grid) {
+  return {grid.x0 + c.i0 * grid.dx, grid.x0 + c.i1 * grid.dx, grid.y0 + c.j0 * grid.dy, grid.y0 + c.j1 * grid.dy};
+}
+
 CellBox cells_in(const ZoneBox& box, const Grid& grid) {
   const auto line = [](double edge, double origin, double step, int n) {
     const double at = (edge - origin) / step;

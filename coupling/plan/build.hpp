@@ -25,6 +25,7 @@ Closure closure_of(const Scene&);  // mode grains: hydraulic, whatever the angle
 
 // The cells between the lines nearest to the box's edges.
 CellBox cells_in(const ZoneBox&, const Grid&);
+ZoneBox box_of(const CellBox&, const Grid&);
 
 // Of a settled block on a flat base; measured values lie at .563-.579. The real packing's own value replaces it in a run.
 inline constexpr double expected_solid_fraction = 0.57;

@@ -29,10 +29,7 @@ Reach reach_of(const ObstacleSpec& o, double d, const FlowEstimate& flow) {
 }
 
 PlannedZone on_cells(const CellBox& cells, const Grid& grid, std::string reason) {
-  return {
-      {grid.x0 + cells.i0 * grid.dx, grid.x0 + cells.i1 * grid.dx, grid.y0 + cells.j0 * grid.dy, grid.y0 + cells.j1 * grid.dy},
-      cells,
-      std::move(reason)};
+  return {box_of(cells, grid), cells, std::move(reason), {}};
 }
 
 // The cells that a box touches.
@@ -96,9 +93,12 @@ ZoneBox automatic_zone(const Scene& scene) {
 }
 
 PlannedZone planned_zone(const Scene& scene) {
-  if (!scene.grains.zone) return automatic(scene);
   const Grid grid = grid_of(scene);
-  return on_cells(cells_in(*scene.grains.zone, grid), grid, "given by the scene, moved to the nearest cell lines");
+  PlannedZone zone = scene.grains.zone ? on_cells(cells_in(*scene.grains.zone, grid), grid,
+                                                  "given by the scene, moved to the nearest cell lines")
+                                       : automatic(scene);
+  zone.lines = growth_lines(scene, zone.cells, {});
+  return zone;
 }
 
 }  // namespace couloir

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "continuum/solver.hpp"
+#include "coupling/plan/zone_growth.hpp"
 #include "coupling/scene/scene.hpp"
 
 namespace couloir {
@@ -12,6 +13,7 @@ struct PlannedZone {
   ZoneBox box;         // on cell lines
   CellBox cells;       // the same
   std::string reason;  // one sentence with the numbers
+  ZoneLines lines;     // how far it may grow
 };
 
 // Around all obstacles, on cell lines, cut off at the domain:

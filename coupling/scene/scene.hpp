@@ -163,6 +163,7 @@ struct GrainSpec {
   double diameter = 0;          // [m]
   double spread = 0.1;          // radii are uniform within +-spread of the mean
   std::optional<ZoneBox> zone;  // empty: automatic
+  bool follow = true;           // the zone grows, shrinks and ends with the need
   int window = 40;              // engine steps in a coupling window
   double skin = 0;              // [m] of the neighbour lists; 0: the engine's worker chooses
   double timestep = 0;          // [s] 0: a fixed share of the Rayleigh time

@@ -107,6 +107,11 @@ void add_grains(Keys& k) {
           return std::tie(s.grains.zone->y0, s.grains.zone->y1);
         }).required());
 
+  k.add(choice(
+      "grains.follow",
+      "whether the zone follows the need: it grows where a jump or a dead zone nears a face, shrinks back, and its engine ends "
+      "when all grains are at rest or gone",
+      {"off", "on"}, at(&GrainSpec::follow)));
   k.add(integer("grains.window", "engine steps in a coupling window", at(&GrainSpec::window)).within(1, 100000));
   k.add(number("grains.timestep", time,
                "of the engine; 0: a fixed share of the Rayleigh time (hertz) or of the contact time (kelvin_voigt)",

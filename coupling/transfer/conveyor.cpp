@@ -9,10 +9,11 @@ Conveyor::Conveyor(const RimFace& face, int face_index, const PackingTable& tabl
     : face_(&face), face_index_(face_index), table_(&table), layer_(layer), candidates_(face.segments), state_(face.segments) {
   const Packing& block = table.packing();
   const double extent = face.cells * face.cell_width;
-  for (double offset = 0; offset < extent; offset += block.width)
+  const double shift = face.from_anchor - std::floor(face.from_anchor / block.width) * block.width;
+  for (double offset = -shift; offset < extent; offset += block.width)
     for (const auto& grain : block.grains) {
       const double along = offset + grain.y;
-      if (along >= extent) continue;
+      if (along < 0 || along >= extent) continue;
       const int segment = face.segment_of_cell(face.cell_at(along));
       candidates_[segment].push_back({block.length - grain.x, along, grain.z, grain.r});
     }
@@ -31,9 +32,8 @@ void Conveyor::advance(int segment, double displacement, double mass, const std:
 
   const double block = table_->packing().length;
   const double d = 2 * list.front().r;
-  const int first_cell = segment * face_->cells_per_segment;
-  const int cells = std::min(face_->cells, first_cell + face_->cells_per_segment) - first_cell;
-  const double area = cells * face_->cell_width * 4 * d;  // over which a debt is spread
+  const auto [first_cell, past] = face_->cells_of_segment(segment);
+  const double area = (past - first_cell) * face_->cell_width * 4 * d;  // over which a debt is spread
   const Vec& o = face_->drive.origin;
   const Vec& n = face_->drive.inward;
   const Vec& a = face_->drive.along;
@@ -65,6 +65,17 @@ void Conveyor::advance(int segment, double displacement, double mass, const std:
     taken += m;
   }
   s.owed -= taken;
+}
+
+void Conveyor::go_to(int segment, double position) {
+  State& s = state_[segment];
+  s.position = position;
+  const auto& list = candidates_[segment];
+  if (list.empty()) return;
+  const double block = table_->packing().length;
+  const auto passed = [&](long n) { return list[n % list.size()].x + double(n / long(list.size())) * block <= position; };
+  s.passed = std::max(0l, long(std::floor(position / block)) - 1) * long(list.size());
+  while (passed(s.passed)) ++s.passed;
 }
 
 double Conveyor::owed() const {

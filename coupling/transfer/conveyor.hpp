@@ -34,6 +34,8 @@ class Conveyor {
   double owed() const;  // [kg] given by the continuum, not yet grains; all segments
   double owed(int segment) const { return state_[segment].owed; }
   void owe(int segment, double mass) { state_[segment].owed += mass; }
+  double position(int segment) const { return state_[segment].position; }  // [m] how far the segment's block has come
+  void go_to(int segment, double position);                                // as if it had come so far
 
   void state(Archive& a) { a(state_); }
 

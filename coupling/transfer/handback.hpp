@@ -40,6 +40,8 @@ class Handback {
   bool is_shadow(std::int64_t id) const { return id < std::int64_t(shadow_.size()) && shadow_[id]; }
   void mark_shadow(std::int64_t id);
   long returned() const { return returned_; }  // grains handed back since the start
+  void unmark_shadow(std::int64_t id) { shadow_[id] = 0; }
+  void inherit(const Handback& before) { shadow_ = before.shadow_, returned_ = before.returned_; }  // all but what is pending
   void state(Archive& a) { a(pending_, shadow_, returned_); }
 
  private:

@@ -31,10 +31,12 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
   const double xl = grid.x0 + zone.i0 * grid.dx, xh = grid.x0 + zone.i1 * grid.dx;
   const double yl = grid.y0 + zone.j0 * grid.dy, yh = grid.y0 + zone.j1 * grid.dy;
   const double d = settings.diameter;
+  if (!settings_.anchor) settings_.anchor = {xl, yl};
 
   const auto add = [&](SideName side, int cells, double width, const Eigen::Vector3d& origin, const Eigen::Vector3d& inward,
                        const Eigen::Vector3d& along) {
     RimFace face{.side = side, .cells = cells, .cell_width = width, .drive = {}};
+    face.from_anchor = face.axis() == 0 ? yl - (*settings_.anchor)[1] : xl - (*settings_.anchor)[0];
     face.cells_per_segment = std::clamp(int(std::ceil(settings.segment * d / width - 1e-9)), 1, cells);
     face.segments = (cells + face.cells_per_segment - 1) / face.cells_per_segment;
     face.drive = {.origin = to_vec(origin),

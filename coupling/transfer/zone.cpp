@@ -13,7 +13,8 @@ Zone::Zone(const ZoneSettings& settings, const Grid& grid, const ReferenceSurfac
       surface_(&surface),
       table_(&table),
       rim_(grid, settings.box, surface, settings.rim),
-      handback_(rim_, surface, table.grain_density()) {
+      handback_(rim_, surface, table.grain_density()),
+      next_id_(settings.first_id) {
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
     const RimFace& face = rim_.faces()[f];
     conveyors_.emplace_back(face, f, table, rim_.layer());
@@ -88,7 +89,7 @@ void Zone::look_outside(const Solver& solver) {
     double all_h = 0, all_hn = 0;
     for (int s = 0; s < face.segments; ++s) {
       double h = 0, hn = 0, ha = 0;
-      const int first = s * face.cells_per_segment, last = std::min(face.cells, first + face.cells_per_segment);
+      const auto [first, last] = face.cells_of_segment(s);
       for (int k = first; k < last; ++k) {
         const auto [i, j] = rim_.outside_cell(face, k);
         const FlowState q = solver.at(i, j);
@@ -176,6 +177,10 @@ AdvanceRequest Zone::request(Solver& solver) {
   request.steps = steps_;
   request.remove = remove_;
   remove_.clear();
+  request.rim_moves = std::move(move_);
+  request.insert = std::move(move_fill_);
+  move_.clear();
+  move_fill_.clear();
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
     const RimFace& face = rim_.faces()[f];
     std::vector<double> depth(face.cells);
@@ -201,7 +206,7 @@ AdvanceRequest Zone::request(Solver& solver) {
     std::vector<SegmentDrive> drives(face.segments);
     for (int s = 0; s < face.segments; ++s) {
       Segment& segment = segments_[f][s];
-      const int first = s * face.cells_per_segment, last = std::min(face.cells, first + face.cells_per_segment);
+      const auto [first, last] = face.cells_of_segment(s);
       if (fresh_) {  // the layers came filled: what passes before they have moved pays for that
         const double paid = std::min(lent_, given[s]);
         lent_ -= paid;
@@ -262,7 +267,7 @@ Conveyor::Occupied Zone::occupied(int face, const std::vector<NewGrain>& inserte
   // Two per cent: what an impact of half a metre a second makes. More would throw the grain out of the flow when it is freed.
   return [this, face, &inserted](int segment, const Vec& p, double r) {
     const auto overlaps = [&](const NewGrain& g) {
-      if (g.face == face && g.segment == segment) return false;
+      if (g.face == face && g.segment == segment && g.id >= own_from_) return false;
       const double dx = g.position[0] - p[0], dy = g.position[1] - p[1], dz = g.position[2] - p[2];
       const double reach = 0.98 * (g.radius + r);
       return dx * dx + dy * dy + dz * dz < reach * reach;
@@ -323,11 +328,52 @@ void Zone::absorb(const Advanced& advanced, Solver& solver) {
   std::sort(remove_.begin(), remove_.end());
   remove_.erase(std::unique(remove_.begin(), remove_.end()), remove_.end());
 
+  show(g, solver, true);
+}
+
+std::vector<Zone::Look> Zone::look(const Solver& solver, const RimFace& face, int cells) const {
+  const int f = int(&face - rim_.faces().data());
+  std::vector<Look> out(face.cells);
+  for (int k = 0; k < face.cells; ++k) {
+    const auto [i, j] = rim_.outside_cell(face, k);
+    auto [ci, cj] = rim_.inside_cell(face, k);
+    (face.axis() == 0 ? ci : cj) += int(face.sign()) * cells;
+    const auto normal = [&](const FlowState& q) { return q.h > 0 ? face.sign() * (face.axis() == 0 ? q.hu : q.hv) / q.h : 0; };
+    const FlowState outside = solver.at(i, j);
+    const CellBox& box = settings_.box;
+    const FlowState inside = solver.at(std::clamp(ci, box.i0, box.i1 - 1), std::clamp(cj, box.j0, box.j1 - 1));
+    const double u = segments_[f][face.segment_of_cell(k)].inflow ? normal(outside) : 0;
+    out[k] = {u, normal(inside), outside.h, outside.h > 0 ? u / std::sqrt(settings_.gravity * outside.h) : 0};
+    if (inside.h < 0.5 * settings_.rim.diameter) out[k].inside = u;  // no grains there yet
+  }
+  return out;
+}
+
+bool Zone::draws_in() const {
+  for (const auto& face : segments_)
+    for (const Segment& segment : face)
+      if (segment.inflow) return true;
+  return false;
+}
+
+bool Zone::flow_comes(const Solver& solver) {
+  look_outside(solver);
+  return draws_in();
+}
+
+void Zone::lay_down(const Grains& g, Solver& solver) {
+  show(g, solver, false);
+}
+
+void Zone::show(const Grains& g, Solver& solver, bool moving) {
   field_ =
       coarse_grain(g, grid_, settings_.box, *surface_, table_->grain_density(), table_->bulk_density(), settings_.periodic_y);
   const CellBox& box = settings_.box;
   for (int j = box.j0; j < box.j1; ++j)
-    for (int i = box.i0; i < box.i1; ++i) solver.set_covered(i, j, field_.at(i, j));
+    for (int i = box.i0; i < box.i1; ++i) {
+      const FlowState q = field_.at(i, j);
+      solver.set_covered(i, j, moving ? q : FlowState{q.h, 0, 0});
+    }
 }
 
 void Zone::take_out(const std::vector<std::int64_t>& ids) {

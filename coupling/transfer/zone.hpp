@@ -11,6 +11,7 @@
 // in the ledger (`faces_mass`). At a segment into which the flow comes, the raft (grain_engine.hpp) moves under the grains'
 // forces and the push of the flow that it dams up: the mirrored Riemann problem of (h, u - u_raft), with the flow's own K.
 
+#include <functional>
 #include <vector>
 
 #include "coupling/transfer/coarse_grain.hpp"
@@ -24,6 +25,7 @@ struct ZoneSettings {
   RimSettings rim;
   double gravity = 9.81;  // [m/s2]
   bool periodic_y = false;
+  std::int64_t first_id = 1;  // of its grains
 };
 
 class Zone {
@@ -33,6 +35,17 @@ class Zone {
   // The zone takes over: its cells' material becomes grains (to half a grain; the rest is owed), the solver's cells are covered.
   // Returns the grains to insert before the first window.
   std::vector<NewGrain> take_over(Solver&);
+
+  // This zone goes on for `before`, whose engine holds `grains`, with another box; to be called between two windows, on a new
+  // zone. `cover` has the solver cover this box instead of the other. Newly covered material becomes grains cut from the settled
+  // packing with the flow's depth and velocity, where none stand yet; grains of cells that open become their flow. The next
+  // request tells the engine. Keeps: mass to round-off; momentum of what changes sides but for parcels on their way.
+  struct Moved {
+    double covered = 0, opened = 0;  // [kg] of flow that became grains, of grains that became flow
+    long filled = 0, freed = 0;      // grains new, gone
+    double left_over = 0;            // [kg] what whole grains could not carry, now owed to the faces
+  };
+  Moved take_from(const Zone& before, const Grains& grains, Solver&, const std::function<void()>& cover);
 
   // The window that begins: engine steps, and their length [s].
   void begin_window(std::int64_t steps, double length) { steps_ = steps, window_ = length; }
@@ -50,10 +63,23 @@ class Zone {
   long inserted() const { return inserted_; }
   long returned() const { return handback_.returned(); }
   const CoarseGrained& field() const { return field_; }
+  const CellBox& box() const { return settings_.box; }
+  // Along a face, cell by cell: how fast [m/s] the flow outside comes in, 0 where no raft draws it, and what the grains do
+  // `cells` further in.
+  struct Look {
+    double outside, inside;  // [m/s] along the inward normal
+    double depth;            // [m] outside
+    double froude;           // outside, of the normal velocity
+  };
+  std::vector<Look> look(const Solver&, const RimFace&, int cells) const;
+  bool draws_in() const;           // some raft draws flow in
+  bool flow_comes(const Solver&);  // some raft would, now
+  std::int64_t next_id() const { return next_id_; }
+  void lay_down(const Grains&, Solver&);  // the covered cells show them at rest
   // Between two windows; into a zone of the same settings. The solver's covered cells are the solver's.
   void state(Archive& a) {
     a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, lent_, remainder_, next_id_, steps_, window_,
-      inserted_, fresh_);
+      inserted_, fresh_, own_from_);
   }
 
  private:
@@ -65,11 +91,14 @@ class Zone {
     double rate = 0;                          // [m/s] at which the raft draws the flow in
   };
   void look_outside(const Solver&);
+  void share_out(double mass);                                     // [kg] that is left over, among what the faces owe
   double push(const Solver&, int face, int k, double raft) const;  // [m3/s2] per unit width and density
   void drive_strip(const Solver&, const RimFace&, int first, int last, SegmentDrive&) const;  // of shadows; cells [first, last)
   void find_layer(const Grains&);
+  void show(const Grains&, Solver&, bool moving);  // in the covered cells
   void settle_departed(int face, int segment);
   Conveyor::Occupied occupied(int face, const std::vector<NewGrain>& inserted) const;
+  friend class RimMover;  // zone_move.cpp
 
   static constexpr double steepest_ = 0.5;  // least ratio of normal to tangential velocity that a raft carries in
 
@@ -90,7 +119,10 @@ class Zone {
   std::int64_t next_id_ = 1, steps_ = 0;
   double window_ = 0;  // [s]
   long inserted_ = 0;
-  bool fresh_ = false;  // no window yet
+  bool fresh_ = false;               // no window yet
+  std::int64_t own_from_ = 0;        // driven grains below this id were not laid by the conveyors that stand there now
+  std::vector<RimMove> move_;        // to tell the engine
+  std::vector<NewGrain> move_fill_;  // with it
 };
 
 }  // namespace couloir

@@ -1,5 +1,7 @@
 #include "coupling/workers/fix_drive.hpp"
 
+#include <unordered_map>
+
 namespace couloir {
 
 namespace {
@@ -25,6 +27,8 @@ FixDrive::~FixDrive() {
 void FixDrive::set_faces(const std::vector<DriveFace>& faces, double edge) {
   faces_ = faces;
   edge_ = edge;
+  first_raft_.clear();
+  rafts_.clear();
   for (std::size_t f = 0; f < faces.size(); ++f) {
     first_raft_.push_back(static_cast<int>(rafts_.size()));
     for (int s = 0; s < faces[f].segments; ++s) {
@@ -35,12 +39,13 @@ void FixDrive::set_faces(const std::vector<DriveFace>& faces, double edge) {
   sums_.resize(2 * rafts_.size());
 }
 
-void FixDrive::begin_window(const std::vector<std::vector<SegmentDrive>>& drives) {
+void FixDrive::begin_window(const AdvanceRequest& request) {
   jump_ = {};
   taken_sum_ = {};
   taken_first_ = taken_;
+  for (const RimMove& move : request.rim_moves) move_rim(move);
   std::size_t next = 0;
-  for (const auto& face : drives) {
+  for (const auto& face : request.drives) {
     for (const SegmentDrive& drive : face) rafts_[next++].drive = drive;
   }
   note_exits();
@@ -55,6 +60,32 @@ void FixDrive::begin_window(const std::vector<std::vector<SegmentDrive>>& drives
     const Vec to = raft_velocity(raft_[i]);
     add_jump(atom->rmass[i], {atom->v[i][0], atom->v[i][1], atom->v[i][2]}, to);
     for (int k = 0; k < 3; ++k) atom->v[i][k] = to[k];
+  }
+}
+
+void FixDrive::move_rim(const RimMove& move) {
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (raft_[i] != free_grain) release(i);
+  set_faces(move.faces, edge_);
+  std::unordered_map<int, int> raft_of_grain;
+  for (const Regrouped& g : move.driven) raft_of_grain[static_cast<int>(g.id)] = raft_of(g.face, g.segment);
+  std::fill(sums_.begin(), sums_.end(), 0.0);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const auto found = raft_of_grain.find(atom->tag[i]);
+    if (found == raft_of_grain.end()) continue;
+    const std::size_t r = static_cast<std::size_t>(raft_[i] = found->second);
+    const DriveFace& face = faces_[static_cast<std::size_t>(rafts_[r].face)];
+    sums_[2 * r] += atom->rmass[i] * dot(face.inward, atom->v[i]);
+    sums_[2 * r + 1] += atom->rmass[i];
+    for (int k = 0; k < 3; ++k) {
+      taken_first_[k] += atom->f[i][k];  // the half kick that this step will not give it
+      atom->f[i][k] = atom->omega[i][k] = atom->torque[i][k] = 0;
+    }
+  }
+  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, sums_.data(), static_cast<int>(sums_.size()), MPI_DOUBLE, MPI_SUM, world);
+  for (std::size_t r = 0; r < rafts_.size(); ++r) {
+    rafts_[r].mass = sums_[2 * r + 1];
+    if (rafts_[r].mass > 0) rafts_[r].velocity = sums_[2 * r] / rafts_[r].mass;
   }
 }
 
@@ -106,6 +137,16 @@ double FixDrive::distance(const DriveFace& face, const double* x) const {
          (x[2] - face.origin[2]) * face.inward[2];
 }
 
+void FixDrive::release(int i) {
+  const Raft& raft = rafts_[static_cast<std::size_t>(raft_[i])];
+  const DriveFace& face = faces_[static_cast<std::size_t>(raft.face)];
+  raft_[i] = free_grain;
+  Vec freed;
+  for (int k = 0; k < 3; ++k) freed[k] = atom->v[i][k] + raft.drive.along * face.along[k];
+  add_jump(atom->rmass[i], {atom->v[i][0], atom->v[i][1], atom->v[i][2]}, freed);
+  std::copy(freed.begin(), freed.end(), atom->v[i]);
+}
+
 void FixDrive::release_and_sum() {
   std::fill(sums_.begin(), sums_.end(), 0.0);
   for (int i = 0; i < atom->nlocal; ++i) {
@@ -113,11 +154,7 @@ void FixDrive::release_and_sum() {
     const std::size_t r = static_cast<std::size_t>(raft_[i]);
     const DriveFace& face = faces_[static_cast<std::size_t>(rafts_[r].face)];
     if (distance(face, atom->x[i]) >= 0) {
-      raft_[i] = free_grain;
-      Vec freed;
-      for (int k = 0; k < 3; ++k) freed[k] = atom->v[i][k] + rafts_[r].drive.along * face.along[k];
-      add_jump(atom->rmass[i], {atom->v[i][0], atom->v[i][1], atom->v[i][2]}, freed);
-      std::copy(freed.begin(), freed.end(), atom->v[i]);
+      release(i);
       continue;
     }
     sums_[2 * r] += dot(face.inward, atom->f[i]);

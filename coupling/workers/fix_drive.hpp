@@ -35,7 +35,7 @@ class FixDrive : public LAMMPS_NS::Fix {
   ~FixDrive() override;
 
   void set_faces(const std::vector<DriveFace>&, double edge);  // edge [m]: a strip reaches so far past its face's ends
-  void begin_window(const std::vector<std::vector<SegmentDrive>>&);
+  void begin_window(const AdvanceRequest&);
   void note_exits();  // after drives were set through rafts()
 
   int raft_of(int face, int segment) const { return first_raft_[static_cast<std::size_t>(face)] + segment; }
@@ -59,6 +59,8 @@ class FixDrive : public LAMMPS_NS::Fix {
 
  private:
   double distance(const DriveFace&, const double* x) const;
+  void move_rim(const RimMove&);
+  void release(int local);
   void release_and_sum();
   void move_rafts();
   void set_velocities();

@@ -27,6 +27,11 @@ bool finite(const Vec& v) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
+bool has_segment(const std::vector<DriveFace>& faces, int face, int segment) {
+  return face >= 0 && face < static_cast<int>(faces.size()) && segment >= 0 &&
+         segment < faces[static_cast<std::size_t>(face)].segments;
+}
+
 [[noreturn]] void refuse(const std::string& why) {
   throw EngineFailure(why, true);
 }
@@ -119,7 +124,8 @@ Advanced Session::advance(const AdvanceRequest& request) {
   grains_ += static_cast<std::int64_t>(request.insert.size()) - static_cast<std::int64_t>(request.remove.size());
 
   probe_->begin_window();
-  drive_->begin_window(request.drives);
+  if (!request.rim_moves.empty()) setup_.faces = request.rim_moves.front().faces;
+  drive_->begin_window(request);
   exchange_->set(std::move(order), drive_);
   if (request.steps > 0) run(request.steps);
   check_none_lost();
@@ -140,6 +146,14 @@ void Session::check(const AdvanceRequest& request) const {
   if (request.steps < 0 || request.steps > std::numeric_limits<int>::max() || (request.steps == 0 && exchange)) {
     refuse(fmt::format("an advance over {} steps is not possible", request.steps));
   }
+  if (request.rim_moves.size() > 1) refuse("the rim is to move twice in one advance");
+  const std::vector<DriveFace>& faces = request.rim_moves.empty() ? setup_.faces : request.rim_moves.front().faces;
+  if (!request.rim_moves.empty() && request.steps == 0) refuse("a rim cannot move in an advance over 0 steps");
+  for (const RimMove& move : request.rim_moves)
+    for (const Regrouped& g : move.driven)
+      if (!has_segment(faces, g.face, g.segment))
+        refuse(
+            fmt::format("the grain {} is to be driven by segment {} of face {}, which does not exist", g.id, g.segment, g.face));
   for (const NewGrain& g : request.insert) {
     if (g.id <= 0 || g.id > std::numeric_limits<int>::max())
       refuse(fmt::format("a grain's id must be in 1..2147483647, not {}", g.id));
@@ -155,16 +169,15 @@ void Session::check(const AdvanceRequest& request) const {
                            g.position[2]));
       }
     }
-    if (g.segment >= 0 &&
-        (g.face < 0 || g.face >= static_cast<int>(setup_.faces.size()) || g.segment >= setup_.faces[g.face].segments)) {
+    if (g.segment >= 0 && !has_segment(faces, g.face, g.segment)) {
       refuse(fmt::format("the new grain {} is to be driven by segment {} of face {}, which does not exist", g.id, g.segment,
                          g.face));
     }
   }
-  if (request.drives.empty()) return;
-  bool fits = request.drives.size() == setup_.faces.size();
+  if (request.drives.empty() && request.rim_moves.empty()) return;
+  bool fits = request.drives.size() == faces.size();
   for (std::size_t f = 0; fits && f < request.drives.size(); ++f) {
-    fits = static_cast<int>(request.drives[f].size()) == setup_.faces[f].segments;
+    fits = static_cast<int>(request.drives[f].size()) == faces[f].segments;
     for (const SegmentDrive& d : request.drives[f]) {
       if (!(d.least <= d.most) || !std::isfinite(d.push) || !std::isfinite(d.along) || !finite(d.exit_velocity)) {
         refuse(fmt::format("face {} has a drive with velocities {:g}..{:g} m/s and push {:g} N, which is not possible", f,
@@ -178,6 +191,12 @@ void Session::check(const AdvanceRequest& request) const {
 // Every id to be removed is there, once; no new id is there yet.
 void Session::check_ids(const AdvanceRequest& request) const {
   std::unordered_map<int, std::size_t> place;  // of each id in `seen`
+  const auto known = [](std::int64_t id) { return id > 0 && id <= std::numeric_limits<int>::max(); };
+  for (const RimMove& move : request.rim_moves)
+    for (const Regrouped& g : move.driven)
+      if (!known(g.id) || !place.emplace(static_cast<int>(g.id), place.size()).second)
+        refuse(fmt::format("the grain {} is to be driven, but is unknown or named twice", g.id));
+  const std::size_t regrouped = place.size();
   for (const std::int64_t id : request.remove) {
     if (id <= 0 || id > std::numeric_limits<int>::max())
       refuse(fmt::format("the grain {} is to be removed, which is unknown", id));
@@ -196,8 +215,11 @@ void Session::check_ids(const AdvanceRequest& request) const {
     if (const auto it = place.find(atom.tag[i]); it != place.end()) seen[it->second] = 1;
   }
   MPI_Allreduce(MPI_IN_PLACE, seen.data(), static_cast<int>(seen.size()), MPI_CHAR, MPI_MAX, comm_);
-  for (std::size_t k = 0; k < removals; ++k) {
-    if (!seen[k]) refuse(fmt::format("the grain {} is to be removed, which is unknown", request.remove[k]));
+  for (std::size_t k = 0; k < regrouped; ++k) {
+    if (!seen[k]) refuse(fmt::format("the grain {} is to be driven, which is unknown", request.rim_moves.front().driven[k].id));
+  }
+  for (std::size_t k = regrouped; k < removals; ++k) {
+    if (!seen[k]) refuse(fmt::format("the grain {} is to be removed, which is unknown", request.remove[k - regrouped]));
   }
   for (std::size_t k = removals; k < seen.size(); ++k) {
     if (seen[k])

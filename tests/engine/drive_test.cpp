@@ -186,3 +186,51 @@ TEST_P(Strip, FreeGrainsLeaveAtTheExitVelocity) {
   EXPECT_GE(inside, 40);
   EXPECT_GE(outside, 20);
 }
+
+// The rim moves up: what was driven is free, what is named is driven by the new raft, which starts with its grains' mean
+// velocity.
+TEST_P(Raft, GoesOnBehindARimThatMoved) {
+  Folder folder;
+  const EngineSetup setup = channel(folder.path, 0);
+  WorkerEngine engine(worker());
+  engine.start(setup);
+  AdvanceRequest request = steps(40);
+  request.insert = layer(4, 0.5 * d, 0.3, 1);
+  for (NewGrain& n : request.insert)
+    if (n.position[0] < -2 * 1.05 * d) n.face = n.segment = -1;  // the last columns come by themselves
+  request.drives = {{{0, 0.3, 0.3, 0.0, 0, false, {}}}};
+  const Advanced before = engine.advance(request);
+
+  AdvanceRequest move = steps(40);
+  RimMove to{setup.faces, {}};
+  to.faces[0].origin[0] = -2 * 1.05 * d;
+  double momentum = 0, weight = 0;
+  for (std::size_t i = 0; i < before.grains.size(); ++i) {
+    if (before.grains.x[i] >= to.faces[0].origin[0]) continue;
+    to.driven.push_back({before.grains.id[i], 0, 0});
+    momentum += mass(before.grains.radius[i]) * before.grains.vx[i];
+    weight += mass(before.grains.radius[i]);
+  }
+  ASSERT_GT(to.driven.size(), 5u);
+  ASSERT_LT(to.driven.size(), before.grains.size());
+  move.rim_moves = {to};
+  move.drives = {{{0, 1.0, -1.0, 0.0, 0, false, {}}}};
+  const Advanced after = engine.advance(move);
+  EXPECT_NEAR(after.segments[0][0].mass, weight, 1e-12 * weight);
+  const double start = momentum / weight;
+  for (std::size_t i = 0; i < after.grains.size(); ++i) {
+    const bool named =
+        std::any_of(to.driven.begin(), to.driven.end(), [&](const Regrouped& g) { return g.id == after.grains.id[i]; });
+    if (after.grains.driven[i]) EXPECT_TRUE(named) << "grain " << after.grains.id[i];
+    if (named && after.grains.x[i] < to.faces[0].origin[0]) {
+      EXPECT_TRUE(after.grains.driven[i]);
+      EXPECT_NEAR(after.grains.x[i], before.grains.x[i] + after.segments[0][0].displacement, 1e-12);
+    }
+  }
+  EXPECT_NEAR(after.segments[0][0].displacement, 40 * setup.timestep * start, 0.2 * 40 * setup.timestep * start);
+
+  AdvanceRequest wrong = steps(1);
+  wrong.rim_moves = {{setup.faces, {{4711, 0, 0}}}};
+  wrong.drives = {{{0, 0, 0, 0.0, 0, false, {}}}};
+  EXPECT_THROW(engine.advance(wrong), EngineError) << "an unknown grain";
+}

@@ -117,6 +117,14 @@ TEST_P(Momentum, IsBookedExactly) {
     for (int window = 0; window < 40; ++window) {
       AdvanceRequest request = steps(37);
       Vec p{};
+      if (window % 10 == 7) {  // the rim moves; every other grain outside of it is driven from now on
+        face.origin[0] += window % 20 == 7 ? -0.15 * w : 0.15 * w;
+        RimMove move{{face}, {}};
+        for (std::size_t i = 0; i < before.size(); i += 2)
+          if (before.x[i] < face.origin[0]) move.driven.push_back({before.id[i], 0, before.y[i] < w / 2 ? 0 : 1});
+        EXPECT_FALSE(move.driven.empty());
+        request.rim_moves = {move};
+      }
       for (int n = 0; n < 10 && next < static_cast<std::int64_t>(all.size()); ++n, ++next) {
         NewGrain grain = all[static_cast<std::size_t>(next)];
         if (grain.position[0] < face.origin[0] - 0.6 * d) {

@@ -12,6 +12,7 @@ the same however many grains a raft has. Grains of a strip keep the velocity the
 import math
 
 import numpy as np
+from yade import O
 from yade.minieigenHP import Vector3
 from yade.wrapper import ForceRecorder, TranslationEngine
 
@@ -100,16 +101,51 @@ class Drive:
                 self.held.pop(id, None)
             self.settle_held()
 
-    def begin_window(self, drives):
+    def begin_window(self, drives, rim_move=None):
         """Before grains are put in; `drives` are empty or one for each segment of each face."""
         self._jump = self._taken_sum = Vector3.Zero
         self._taken_first = self.taken
         self._near = []
+        if rim_move:
+            self._move_rim(*rim_move)
         for raft, drive in zip(self.rafts, [d for face in drives for d in face]):
             raft.drive = drive
         for raft in self.rafts:
             raft.displacement = raft.force = 0.0
             self._set_speed(raft, raft.speed(raft.velocity))
+
+    def _move_rim(self, faces, members, places, take_movers):
+        """Onto new faces; members belong to the rafts at `places`, all others that were driven are free."""
+        for raft in self.rafts:
+            for m in raft.members:  # they get this step's half kick
+                self._taken_first = self._taken_first - self._pull(m)
+            while raft.members:
+                self._release_last(raft)
+            raft.settle_members()
+        self.faces = faces
+        self.rafts = [Raft(face) for face in faces for _ in range(face.segments)]
+        self.first_raft = np.cumsum([0] + [face.segments for face in faces])
+        take_movers(self.movers())
+        for member, (face, segment) in zip(members, places):
+            raft = self.rafts[self.first_raft[face] + segment]
+            self.held.pop(member.id, None)
+            if member.state.blockedDOFs != FIXED:  # the half kick that this step will not give it
+                self._taken_first = self._taken_first + self._pull(member)
+            member.state.blockedDOFs = FIXED
+            member.state.angVel = Vector3.Zero
+            member.key = raft.distance(member.state.pos)
+            raft.members.append(member)
+        self.settle_held()
+        for raft in self.rafts:
+            raft.settle_members()
+            if raft.members:
+                momentum = math.fsum(m.mass * m.state.vel.dot(raft.inward) for m in raft.members)
+                raft.velocity = momentum / raft.mass
+                for m in raft.members:
+                    self._jump = self._jump + m.mass * (raft.velocity * raft.inward - m.state.vel)
+
+    def _pull(self, member):
+        return O.forces.f(member.body) + member.mass * self._gravity
 
     def put_in(self, raft, member, velocity):
         """A new grain of a raft; velocity: as it was given."""
@@ -179,12 +215,15 @@ class Drive:
 
     def _release(self, raft):
         while raft.members and raft.distance(raft.members[-1].state.pos) >= 0:
-            m = raft.members.pop()
-            aside = raft.drive.along * raft.along
-            m.state.vel = raft.velocity * raft.inward + aside
-            m.state.blockedDOFs = self._free
-            self._jump = self._jump + m.mass * aside
+            self._release_last(raft)
         raft.settle_members()
+
+    def _release_last(self, raft):
+        m = raft.members.pop()
+        aside = raft.drive.along * raft.along
+        m.state.vel = raft.velocity * raft.inward + aside
+        m.state.blockedDOFs = self._free
+        self._jump = self._jump + m.mass * aside
 
     def _look(self):
         """Who is in a strip now?"""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import msgpack
 import numpy as np
 
-VERSION = 4
+VERSION = 5
 HELLO, START, STARTED, ADVANCE, CHECKPOINT, STOP, DONE, HEARTBEAT, ADVANCED, FAILED = range(10)
 CONTACT_LAWS = ("hertz", "kelvin_voigt")
 ROTATIONS = ("free", "blocked", "control")
@@ -100,12 +100,19 @@ class Drive:
 
 
 @dataclass
+class RimMove:
+    faces: list
+    driven: list  # (id, face, segment)
+
+
+@dataclass
 class Request:
     steps: int
     insert: list
     remove: np.ndarray
     drives: list  # [face][segment]; empty: as before
     want_grains: bool
+    rim_moves: list  # one at most
 
 
 def unpack(message):
@@ -133,14 +140,19 @@ def start(body):
     s.rotation = ROTATIONS[s.rotation]
     s.control = Control(*s.control)
     s.surfaces = [Surface(n, np.frombuffer(t).reshape(-1, 3, 3), f, r) for n, t, f, r in s.surfaces]
-    s.faces = [Face(*(np.array(v, float) for v in face[:3]), *face[3:]) for face in s.faces]
+    s.faces = faces(s.faces)
     return s, restore
 
 
+def faces(all):
+    return [Face(*(np.array(v, float) for v in face[:3]), *face[3:]) for face in all]
+
+
 def request(body):
-    steps, insert, remove, drives, want_grains = body
+    steps, insert, remove, drives, want_grains, rim_moves = body
     return Request(steps, [NewGrain(*g) for g in insert], np.frombuffer(remove, np.int64),
-                   [[Drive(*d) for d in face] for face in drives], want_grains)
+                   [[Drive(*d) for d in face] for face in drives], want_grains,
+                   [RimMove(faces(to), [tuple(g) for g in driven]) for to, driven in rim_moves])
 
 
 def block(values, kind=float):

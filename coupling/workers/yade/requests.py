@@ -16,13 +16,35 @@ class RanAway(Exception):
 def check(request, setup, book):
     if request.steps < 0 or request.steps > LARGEST or (request.steps == 0 and (request.insert or len(request.remove))):
         raise Refused(f"an advance over {request.steps} steps is not possible")
+    faces = setup.faces
+    if request.rim_moves:
+        check_rim_moves(request, book)
+        faces = request.rim_moves[0].faces
     for g in request.insert:
-        check_grain(g, setup)
+        check_grain(g, setup, faces)
     check_ids(request, book)
-    check_drives(request.drives, setup.faces)
+    check_drives(request.drives, faces, bool(request.rim_moves))
 
 
-def check_grain(g, setup):
+def has_segment(faces, face, segment):
+    return 0 <= face < len(faces) and 0 <= segment < faces[face].segments
+
+
+def check_rim_moves(request, book):
+    if len(request.rim_moves) > 1:
+        raise Refused("the rim is to move twice in one advance")
+    if request.steps == 0:
+        raise Refused("a rim cannot move in an advance over 0 steps")
+    move = request.rim_moves[0]
+    for id, face, segment in move.driven:
+        if not has_segment(move.faces, face, segment):
+            raise Refused(f"the grain {id} is to be driven by segment {segment} of face {face}, which does not exist")
+    ids = np.array([id for id, _, _ in move.driven], np.int64)
+    if len(np.unique(ids)) < len(ids) or not book.has(ids).all():
+        raise Refused("a grain is to be driven which is unknown or named twice")
+
+
+def check_grain(g, setup, faces):
     if not 0 < g.id <= LARGEST:
         raise Refused(f"a grain's id must be in 1..{LARGEST}, not {g.id}")
     if not np.isfinite(g.position + g.velocity + g.spin).all():
@@ -32,7 +54,7 @@ def check_grain(g, setup):
     if any(not p and not lo <= x <= hi for p, lo, x, hi in zip(setup.periodic, setup.lo, g.position, setup.hi)):
         x, y, z = g.position
         raise Refused(f"the new grain {g.id} at ({x:g}, {y:g}, {z:g}) m lies outside of the box")
-    if g.segment >= 0 and not (0 <= g.face < len(setup.faces) and g.segment < setup.faces[g.face].segments):
+    if g.segment >= 0 and not has_segment(faces, g.face, g.segment):
         raise Refused(f"the new grain {g.id} is to be driven by segment {g.segment} of face {g.face}, which does not exist")
 
 
@@ -54,8 +76,8 @@ def check_ids(request, book):
         seen.add(id)
 
 
-def check_drives(drives, faces):
-    if not drives:
+def check_drives(drives, faces, needed):
+    if not drives and not needed:
         return
     if [len(face) for face in drives] != [face.segments for face in faces]:
         raise Refused("the drives given are not one for each segment of each face")

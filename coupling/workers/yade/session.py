@@ -61,7 +61,7 @@ class Session:
         requests.check(request, self.setup, self.book)
         self.probes.begin_window()
         exchange = self._remove(request.remove)
-        self.drive.begin_window(request.drives)
+        self.drive.begin_window(request.drives, self._move_rim(request.rim_moves))
         exchange = exchange + self._insert(request.insert)
         if request.steps > 0:
             self._watch_strips(request.steps)
@@ -118,6 +118,17 @@ class Session:
             raft.settle_members()
         self.book.add([g.id for g in grains], ids, [g.radius for g in grains])
         return impulse
+
+    def _move_rim(self, moves):
+        """The new faces and the grains that belong to their rafts; None where the rim stays."""
+        if not moves:
+            return None
+        self.setup.faces = moves[0].faces
+        ids = np.array([id for id, _, _ in moves[0].driven], np.int64)
+        rows = self.book.rows(ids)
+        members = [Member(int(id), int(body), float(mass), O.bodies[int(body)].state)
+                   for id, body, mass in zip(ids, self.book.bodies[rows], self.book.mass[rows])]
+        return moves[0].faces, members, [(face, segment) for _, face, segment in moves[0].driven], self._stepper.take_movers
 
     def _watch_strips(self, steps):
         if not self.drive.has_strips():

@@ -30,8 +30,12 @@ class Stepper:
         self._collider = InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Facet_Aabb()], verletDist=skin, avoidSelfInteractionMask=2,
                                                sortAxis=int((setup.hi - setup.lo)[:2].argmax()))  # flows are shallow
         self._resetter = ForceResetter()
-        O.engines = movers + [self._newton, self._resetter, self._collider, contacts]
+        self._loop = [self._newton, self._resetter, self._collider, contacts]
+        self.take_movers(movers)
         O.dt = self._dt
+
+    def take_movers(self, movers):
+        O.engines = movers + self._loop
 
     def _integrator(self):
         return NewtonIntegrator(damping=0, gravity=self._gravity, warnNoForceReset=False)
