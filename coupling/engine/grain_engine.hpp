@@ -148,6 +148,9 @@ struct Advanced {
   double kinetic_energy = 0;  // [J] of motion and spin
   double max_overlap = 0;     // [-] largest overlap over mean diameter of the pair, at the last step
   double cpu = 0;             // [s] of all ranks in this advance
+  // [N] by all surfaces on the grains inside of all faces (yade: by the parts of surfaces whose middle is there), mean over this
+  // advance.
+  Vec zone_force{};
 };
 
 class GrainEngine {

@@ -74,7 +74,8 @@ void fields(A& a, Grains& s) {
 }
 template <class A>
 void fields(A& a, Advanced& s) {
-  a(s.step, s.grains, s.surface_force, s.surface_force_last, s.segments, s.drive_impulse, s.kinetic_energy, s.max_overlap, s.cpu);
+  a(s.step, s.grains, s.surface_force, s.surface_force_last, s.segments, s.drive_impulse, s.kinetic_energy, s.max_overlap, s.cpu,
+    s.zone_force);
 }
 template <class A>
 void fields(A& a, Hello& s) {

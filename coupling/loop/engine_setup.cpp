@@ -63,7 +63,7 @@ EngineSetup material_setup(const Scene& s, const ReferenceSurface& surface, doub
   return setup;
 }
 
-void add_bed(EngineSetup& setup, const Scene& s, const std::string& name, std::vector<Triangle> mesh) {
+void add_bed(EngineSetup& setup, const Scene& s, const char* name, std::vector<Triangle> mesh) {
   const GrainMaterial& m = s.material.grain;
   setup.surfaces.push_back({name, std::move(mesh), m.base_friction, m.base_rolling_friction});
 }
@@ -119,6 +119,25 @@ void add_obstacles_and_sides(EngineSetup& setup, const Scene& s, const Reference
     side(side_surfaces[3], end_mesh(surface, length, region.y0, region.y1, height, size));
 }
 
+// With edges along all lines that a zone's side can lie on.
+std::vector<Triangle> bed_by_lines(const ReferenceSurface& surface, const ZoneLines& lines, const Patch& region, const Grid& grid,
+                                   double size) {
+  const auto edges = [](double from, const std::vector<int>& cells, double origin, double step, double to) {
+    std::vector<double> at{from};
+    for (const int c : cells)
+      if (const double x = origin + c * step; x > at.back() + 0.01 * step && x < to - 0.01 * step) at.push_back(x);
+    at.push_back(to);
+    return at;
+  };
+  const auto x = edges(region.x0, lines.x, grid.x0, grid.dx, region.x1),
+             y = edges(region.y0, lines.y, grid.y0, grid.dy, region.y1);
+  std::vector<Triangle> bed;
+  for (std::size_t b = 0; b + 1 < y.size(); ++b)
+    for (std::size_t a = 0; a + 1 < x.size(); ++a)
+      for (const Triangle& t : bed_mesh(surface, {x[a], x[a + 1], y[b], y[b + 1]}, size)) bed.push_back(t);
+  return bed;
+}
+
 double mesh_size(const Scene& s) {
   return 5 * s.grains.diameter;
 }
@@ -167,29 +186,6 @@ EngineSetup engine_setup_whole(const Scene& s, const ReferenceSurface& surface, 
   return setup;
 }
 
-namespace {
-
-std::string bed_name(const PlannedZone& zone, int a, int b) {
-  return a == zone.lines.at_x && b == zone.lines.at_y ? "bed" : "bed_" + std::to_string(a) + "_" + std::to_string(b);
-}
-
-// Each rectangle between the zone's lines: its numbers and cells.
-template <class Each>
-void for_steps(const ZoneLines& l, const Each& each) {
-  for (int b = 0; b + 1 < int(l.y.size()); ++b)
-    for (int a = 0; a + 1 < int(l.x.size()); ++a) each(a, b, CellBox{l.x[a], l.x[a + 1], l.y[b], l.y[b + 1]});
-}
-
-}  // namespace
-
-std::vector<std::string> bed_surfaces(const PlannedZone& zone, const CellBox& box) {
-  std::vector<std::string> names;
-  for_steps(zone.lines, [&](int a, int b, const CellBox& step) {
-    if (box.contains(step.i0, step.j0)) names.push_back(bed_name(zone, a, b));
-  });
-  return names;
-}
-
 EngineSetup engine_setup_zone(const Scene& s, const ReferenceSurface& surface, const PlannedZone& planned, const Rim& rim,
                               double density, const std::string& work_dir) {
   EngineSetup setup = material_setup(s, surface, density, work_dir);
@@ -211,16 +207,7 @@ EngineSetup engine_setup_zone(const Scene& s, const ReferenceSurface& surface, c
   if (lines.y.back() < grid.ny) region.y1 += margin;
   for (const RimFace& face : rim.faces()) setup.faces.push_back(face.drive);
   const double size = mesh_size(s);
-  for_steps(lines, [&](int a, int b, const CellBox& step) {
-    const ZoneBox at = box_of(step, grid);
-    add_bed(setup, s, bed_name(planned, a, b), bed_mesh(surface, {at.x0, at.x1, at.y0, at.y1}, size));
-  });
-  std::vector<Triangle> around;
-  for (const Patch& p : {Patch{region.x0, z.x0, region.y0, region.y1}, Patch{z.x1, region.x1, region.y0, region.y1},
-                         Patch{z.x0, z.x1, region.y0, z.y0}, Patch{z.x0, z.x1, z.y1, region.y1}})
-    if (p.x1 > p.x0 && p.y1 > p.y0)
-      for (const Triangle& t : bed_mesh(surface, p, size)) around.push_back(t);
-  if (!around.empty()) add_bed(setup, s, "bed_rim", std::move(around));
+  add_bed(setup, s, "bed", bed_by_lines(surface, lines, region, grid, size));
   const double height = throw_height(s, surface, z.x1);
   add_obstacles_and_sides(setup, s, surface, planned.box, region, height, size);
   set_box(setup, s, surface, region, height);

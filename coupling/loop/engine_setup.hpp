@@ -24,12 +24,8 @@ inline constexpr std::array<const char*, 4> side_surfaces{"side_left", "side_rig
 // Whole chute: every side of the domain that is open is extended, so that grains pass it before they are taken out.
 EngineSetup engine_setup_whole(const Scene&, const ReferenceSurface&, double grain_density, const std::string& work_dir);
 
-// A zone and all that it may grow to, with the rim that it has now. The bed of the planned zone is the surface "bed", that of the
-// steps by which it grows "bed_<a>_<b>" (numbers of the lines before it), all around "bed_rim".
+// A zone and all that it may grow to, with the rim that it has now.
 EngineSetup engine_setup_zone(const Scene&, const ReferenceSurface&, const PlannedZone&, const Rim&, double grain_density,
                               const std::string& work_dir);
-
-// The surfaces that are bed of a zone of these cells.
-std::vector<std::string> bed_surfaces(const PlannedZone&, const CellBox&);
 
 }  // namespace couloir

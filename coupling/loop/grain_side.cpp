@@ -73,6 +73,8 @@ void GrainSide::rest() {
   guard_.reset();
   energy_before_ = {};
   running_ = false;
+  last_.zone_force = mean_force_.back();
+  mean_force_.pop_back();
   last_.surface_force = mean_force_;
   last_.max_overlap = 0;
   Grains& g = last_.grains;
@@ -106,7 +108,7 @@ void GrainSide::state(Archive& a) {
   if (guard_) energy_before_ = guard_->state();
   Grains& last = last_.grains;  // by which the guard judges the next advance
   a(last.id, last.x, last.y, last.z, last.vx, last.vy, last.vz, last.radius, last.driven, energy_before_);
-  a(last_.step, last_.surface_force, mean_force_);
+  a(last_.step, last_.surface_force, last_.zone_force, mean_force_);
   a(overtopping_, cpu_, peak_, particle_steps_, steps_before_);
 }
 
@@ -125,9 +127,11 @@ const Advanced& GrainSide::advance(const AdvanceRequest& request) {
   particle_steps_ += request.steps * std::int64_t(last_.grains.size());
   for (Overtopping& o : overtopping_) o.look(last_.grains, surface_);
   const double weight = std::min(1.0, length_ / 0.02);
-  mean_force_.resize(last_.surface_force.size(), Vec{});
-  for (std::size_t s = 0; s < mean_force_.size(); ++s)
-    for (int k = 0; k < 3; ++k) mean_force_[s][k] += weight * (last_.surface_force[s][k] - mean_force_[s][k]);
+  std::vector<Vec> forces = last_.surface_force;
+  forces.push_back(last_.zone_force);
+  mean_force_.resize(forces.size(), Vec{});
+  for (std::size_t s = 0; s < forces.size(); ++s)
+    for (int k = 0; k < 3; ++k) mean_force_[s][k] += weight * (forces[s][k] - mean_force_[s][k]);
   return last_;
 }
 

@@ -43,7 +43,8 @@ class GrainSide {
   void add_wall_forces(const std::vector<ForceMeasure>&, std::vector<std::array<double, 2>>& forces) const;
   double impulse_x(const std::string& surface) const;  // [N s] on the grains in the last advance, by one surface
   double impulse_x(int obstacle) const;                // likewise, by all parts of an obstacle
-  double max_speed() const;                            // [m/s]
+  double zone_impulse_x() const { return last_.zone_force[0] * length_; }  // [N s] likewise, by all surfaces on those of the zone
+  double max_speed() const;                                                // [m/s]
 
   std::int64_t steps() const { return steps_before_ + last_.step; }  // of all engines so far
   long peak() const { return peak_; }
@@ -69,7 +70,7 @@ class GrainSide {
   std::vector<int> surface_of_gauge_;
   std::vector<Overtopping> overtopping_;
   Advanced last_;
-  std::vector<Vec> mean_force_;  // [N] by surface, of late: windows weigh less by 20 ms
+  std::vector<Vec> mean_force_;  // [N] by surface, then the zone's, of late: windows weigh less by 20 ms
   std::string engine_name_;
   bool running_ = false;
   double timestep_ = 0, cpu_ = 0, length_ = 0;

@@ -181,11 +181,12 @@ void ZoneSide::report(WindowReport& w) {
     if (!jumped_) {
       w.momentum.storage += momentum - momentum_;
       w.momentum.gravity += 0.5 * (before + mass_) * scene_.gravity * surface_.gravity_direction().x() * w.length;
-      for (const std::string& bed : bed_surfaces(planned_, watch_->box())) w.momentum.bed += grains_->impulse_x(bed);
-      w.momentum.boundary -= edge_->momentum() - left_momentum_;
-      for (const char* side : side_surfaces) w.momentum.boundary += grains_->impulse_x(side);
-      for (int k = 0; k < int(scene_.obstacles.size()); ++k)
-        if (grains_->has_obstacle(k)) w.momentum.obstacles += grains_->impulse_x(k);
+      double sides = 0, obstacles = 0;
+      for (const char* side : side_surfaces) sides += grains_->impulse_x(side);
+      for (int k = 0; k < int(scene_.obstacles.size()); ++k) obstacles += grains_->impulse_x(k);
+      w.momentum.boundary += sides - (edge_->momentum() - left_momentum_);
+      w.momentum.obstacles += obstacles;
+      w.momentum.bed += grains_->zone_impulse_x() - sides - obstacles;  // what is not of the others
     }
     momentum_ = momentum;
     w.inserted += zone_->inserted();

@@ -113,9 +113,11 @@ std::vector<std::string> liggghts_script(const EngineSetup& s, const std::string
     meshes += fmt::format(" mesh_{}", k);
   }
   script.push_back("fix probe_before all couloir/probe clear");
+  script.push_back("fix zone_before all couloir/zone_force before");
   if (!meshes.empty())
     script.push_back(
         fmt::format("fix walls all wall/gran {} mesh n_meshes {} meshes{}{}", model, s.surfaces.size(), meshes, settings));
+  script.push_back("fix zone_after all couloir/zone_force after");
   script.push_back("fix probe all couloir/probe read");
   if (s.rotation != Rotation::free) script.push_back("fix rotation all couloir/rotation");
   script.push_back("fix integrate all nve/sphere");

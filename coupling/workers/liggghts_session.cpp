@@ -69,6 +69,7 @@ Session::Session(const EngineSetup& setup, const std::string& checkpoint, MPI_Co
   register_fix<FixExchange>(engine_, "couloir/exchange");
   register_fix<FixDrive>(engine_, "couloir/drive");
   register_fix<FixForceProbe>(engine_, "couloir/probe");
+  register_fix<FixZoneForce>(engine_, "couloir/zone_force");
   register_fix<FixHeartbeat>(engine_, "couloir/heartbeat");
   register_fix<FixRotation>(engine_, "couloir/rotation");
   SideFile side;
@@ -77,6 +78,8 @@ Session::Session(const EngineSetup& setup, const std::string& checkpoint, MPI_Co
   exchange_ = find_fix<FixExchange>(engine_, "exchange");
   drive_ = find_fix<FixDrive>(engine_, "drive");
   probe_ = find_fix<FixForceProbe>(engine_, "probe");
+  zone_force_ = find_fix<FixZoneForce>(engine_, "zone_after");
+  zone_force_->watch(find_fix<FixZoneForce>(engine_, "zone_before"), &drive_->faces());
   std::vector<double*> counts;
   for (std::size_t k = 0; k < setup.surfaces.size(); ++k) counts.push_back(mesh_force(engine_, fmt::format("mesh_{}", k)));
   probe_->set_meshes(counts);
@@ -124,6 +127,7 @@ Advanced Session::advance(const AdvanceRequest& request) {
   grains_ += static_cast<std::int64_t>(request.insert.size()) - static_cast<std::int64_t>(request.remove.size());
 
   probe_->begin_window();
+  zone_force_->begin_window();
   if (!request.rim_moves.empty()) setup_.faces = request.rim_moves.front().faces;
   drive_->begin_window(request);
   exchange_->set(std::move(order), drive_);

@@ -10,6 +10,7 @@
 #include "coupling/workers/fix_drive.hpp"
 #include "coupling/workers/fix_exchange.hpp"
 #include "coupling/workers/fix_force_probe.hpp"
+#include "coupling/workers/fix_zone_force.hpp"
 
 namespace couloir {
 
@@ -56,6 +57,7 @@ class Session {
   FixExchange* exchange_ = nullptr;
   FixDrive* drive_ = nullptr;
   FixForceProbe* probe_ = nullptr;
+  FixZoneForce* zone_force_ = nullptr;
   std::int64_t grains_ = 0;  // that there should be
 };
 

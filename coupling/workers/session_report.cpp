@@ -15,12 +15,14 @@ void Session::report_surfaces(Advanced& result) const {
   }
   const Vec driving = drive_->impulse(), exchange = exchange_->impulse();
   for (int c = 0; c < 3; ++c) sums.push_back(driving[c] + exchange[c]);
+  for (const double f : zone_force_->mean()) sums.push_back(f);
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, comm_);
   for (std::size_t k = 0; k < surfaces; ++k) {
     result.surface_force.push_back({sums[6 * k], sums[6 * k + 1], sums[6 * k + 2]});
     result.surface_force_last.push_back({sums[6 * k + 3], sums[6 * k + 4], sums[6 * k + 5]});
   }
   for (int c = 0; c < 3; ++c) result.drive_impulse[c] = sums[6 * surfaces + c];
+  for (int c = 0; c < 3; ++c) result.zone_force[c] = sums[6 * surfaces + 3 + c];
 }
 
 void Session::report_segments(Advanced& result, std::int64_t steps) const {

@@ -77,6 +77,7 @@ TEST_P(SurfaceForces, AndMomentumInAPeriodicBox) {
     const Vec p0 = momentum(before.grains), p1 = momentum(a.grains), force = sum(a.surface_force);
     for (int k = 0; k < 3; ++k)
       worst = std::max(worst, std::abs(p1[k] - p0[k] - (m * setup.gravity[k] - force[k]) * time) / (m * g * time));
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(a.zone_force[k], -force[k], 1e-9 * m * g) << "without faces the zone is all";
     way += time * p1[0] / m;
     for (std::size_t i = 0; i < a.grains.size(); ++i) {
       ASSERT_TRUE(a.grains.x[i] >= setup.lo[0] && a.grains.x[i] <= setup.hi[0]) << a.grains.x[i];

@@ -8,7 +8,7 @@ from yade.minieigenHP import Vector3
 from . import messages
 from .drive import Member
 
-LAYOUT = "couloir yade 1"
+LAYOUT = "couloir yade 2"
 
 
 def save(session, path):
@@ -22,7 +22,7 @@ def save(session, path):
         "ids": book.ids, "bodies": book.bodies, "radius": book.radius,
         "force": vectors(O.forces.f(b) for b in bodies), "torque": vectors(O.forces.t(b) for b in bodies),
         "surface_bodies": np.array([len(b) for b in session.surface_bodies]),
-        "surface_force": vectors(session.probes.last), "taken": vectors([drive.taken]),
+        "surface_force": vectors(session.probes.last), "zone_force": vectors(session.zone_probe.last), "taken": vectors([drive.taken]),
         "driven": driven, "rafts": rafts, "keys": np.array([keys[i] for i in driven.tolist()]),
         "held": np.array(sorted(drive.held), np.int64),
         "raft_state": np.array([[r.velocity, r.travel] for r in drive.rafts]).reshape(-1, 2),
@@ -50,7 +50,7 @@ def load(session, path):
     session.book.add(side["ids"], side["bodies"], side["radius"])
     ends = np.cumsum(side["surface_bodies"]).tolist()
     session.surface_bodies = [list(range(begin, end)) for begin, end in zip([0] + ends, ends)]
-    session.equip([Vector3(*f) for f in side["surface_force"].tolist()])
+    session.equip([Vector3(*f) for f in side["surface_force"].tolist()], Vector3(*side["zone_force"][0].tolist()))
     for body, force, torque in zip(side["bodies"].tolist(), side["force"].tolist(), side["torque"].tolist()):
         O.forces.addF(body, Vector3(*force))
         O.forces.addT(body, Vector3(*torque))

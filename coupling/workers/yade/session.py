@@ -43,12 +43,16 @@ class Session:
         O.periodic = True
         O.cell.hSize = Matrix3(*np.diag(np.where(s.periodic, s.hi - s.lo, room)).ravel().tolist())
 
-    def equip(self, last=None):
-        """Engines around the bodies that are there; last: forces on the surfaces."""
+    def _probe_zone(self, last):
+        self.zone_probe = surfaces.Probes([surfaces.inside(self.surface_bodies, self.setup.faces)], last)
+
+    def equip(self, last=None, zone_force=None):
+        """Engines around the bodies that are there; last: forces on the surfaces, on those of the zone."""
         # Else YADE takes removed bodies out of its sorted list and forgets where a periodic list begins: the next sort may not end.
         O.bodies.enableRedirection = False
         self.drive = Drive(self.setup, self._wrap)
         self.probes = surfaces.Probes(self.surface_bodies, last)
+        self._probe_zone([zone_force] if zone_force else None)
         self.rotation = Rotation(self.setup, self.surface_bodies, self.step)
         self._stepper = Stepper(self.setup, laws.interaction_loop(self.setup, range(len(O.materials))), self.drive.movers())
 
@@ -60,6 +64,7 @@ class Session:
         cpu = time.process_time()
         requests.check(request, self.setup, self.book)
         self.probes.begin_window()
+        self.zone_probe.begin_window()
         exchange = self._remove(request.remove)
         self.drive.begin_window(request.drives, self._move_rim(request.rim_moves))
         exchange = exchange + self._insert(request.insert)
@@ -73,6 +78,7 @@ class Session:
 
     def _after_forces(self, last):
         self.probes.read()
+        self.zone_probe.read()
         self.rotation.post_force(self.book, self.drive.all_held)
         self.drive.post_force(last)
         self._beat()
@@ -124,6 +130,7 @@ class Session:
         if not moves:
             return None
         self.setup.faces = moves[0].faces
+        self._probe_zone(self.zone_probe.last)
         ids = np.array([id for id, _, _ in moves[0].driven], np.int64)
         rows = self.book.rows(ids)
         members = [Member(int(id), int(body), float(mass), O.bodies[int(body)].state)
@@ -182,7 +189,7 @@ class Session:
                 messages.block([messages.vector(f) for f in self.probes.mean()]),
                 messages.block([messages.vector(f) for f in self.probes.last]), segments,
                 messages.vector(self.drive.impulse() + exchange), float(energy), self._largest_overlap(),
-                time.process_time() - cpu]
+                time.process_time() - cpu, messages.vector(-self.zone_probe.mean()[0])]
 
     def _largest_overlap(self):
         # YADE's own count, over the harmonic mean of the two diameters: at most (r1 + r2)^2 / (4 r1 r2) times that over the mean.

@@ -27,6 +27,13 @@ def pieces(triangle, most):
     return pieces(np.array([a, middle, c]), most) + pieces(np.array([middle, b, c]), most)
 
 
+def inside(bodies, faces):
+    """The facets whose middle is inside of all faces."""
+    def within(id):
+        return all((np.array(O.bodies[id].state.pos) - face.origin) @ face.inward >= 0 for face in faces)
+    return [id for ids in bodies for id in ids if within(id)]
+
+
 class Probes:
     """[N] by the grains on each surface: at the last step, and its mean over a window, weighted as velocity Verlet kicks (both
     ends by half), so that the mean times the window is the momentum given."""
