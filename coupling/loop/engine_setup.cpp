@@ -6,6 +6,7 @@
 
 #include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/build.hpp"
+#include "coupling/scene/bodies.hpp"
 #include "coupling/scene/inflow.hpp"
 
 namespace couloir {
@@ -120,7 +121,7 @@ void add_obstacles_and_sides(EngineSetup& setup, const Scene& s, const Reference
 }
 
 double mesh_size(const Scene& s) {
-  return 5 * s.grains.diameter;
+  return longest_edge(s.grains);
 }
 
 }  // namespace
