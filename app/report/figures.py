@@ -3,9 +3,10 @@
 from functools import cache
 
 import numpy as np
-from matplotlib.collections import EllipseCollection, LineCollection
+from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 from matplotlib.patches import Rectangle
 
+import bodies
 import style
 from read import pick, running_mean
 from style import plt
@@ -49,6 +50,11 @@ def extent(run, frames):
 
 def draw_obstacles_from_above(axes, run):
     for o in run.obstacles.values():
+        if "triangles" in o:
+            axes.add_collection(PolyCollection(bodies.seen_from_above(o["triangles"]) * MM, facecolor="#FFFFFF", edgecolor=style.INK,
+                                               linewidth=0, hatch="/////", zorder=4))
+            axes.add_collection(LineCollection(bodies.outline(o["triangles"]) * MM, colors=style.INK, linewidths=1.3, zorder=4))
+            continue
         axes.add_patch(Rectangle((o["x"] * MM, (o["y"] - o["width"] / 2) * MM), o["length"] * MM, o["width"] * MM,
                                  facecolor="#FFFFFF", edgecolor=style.INK, linewidth=1.3, hatch="/////", zorder=4))
 
@@ -170,7 +176,10 @@ def draw_side(axes, run, frame, middle, fastest):
         dots.set_clim(0, fastest)
         axes.add_collection(dots)
     for o in run.obstacles.values():
-        if abs(o["y"] - middle) <= o["width"] / 2:
+        if "triangles" in o:
+            axes.add_collection(PolyCollection([loop * MM for loop in bodies.section(o["triangles"], middle)], facecolor="#C9CDD1",
+                                               edgecolor=style.INK, linewidth=1.2, hatch="////", zorder=3))
+        elif abs(o["y"] - middle) <= o["width"] / 2:
             axes.add_patch(Rectangle((o["x"] * MM, 0), o["length"] * MM, o["height"] * MM, facecolor="#C9CDD1",
                                      edgecolor=style.INK, linewidth=1.2, hatch="////", zorder=3))
     axes.axhline(0, color=style.INK, linewidth=1.4, zorder=3)

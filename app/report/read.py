@@ -73,6 +73,9 @@ class Run:
         self.time = self.windows["time"]
         self.frames = [Frame(self, group) for _, group in sorted(self.file["frames"].items())]
         self.obstacles = {name: dict(group.attrs) for name, group in self.file["obstacles"].items()}
+        for name, group in self.file["obstacles"].items():
+            if "triangles" in group:
+                self.obstacles[name]["triangles"] = group["triangles"][()]  # [triangle, corner, (x, y, height)] of any body [m]
         self.forces = {name: {key: data[()] for key, data in group.items()} for name, group in self.file["forces"].items()}
         stresses = self.file["stresses"].items() if "stresses" in self.file else ()
         self.stresses = {(of, name): {key: data[()] for key, data in gauge.items()}

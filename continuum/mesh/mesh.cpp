@@ -158,7 +158,7 @@ std::pair<double, int> Mesh::step_at(double x, double y) const {
   for (std::size_t k = 0; k < bed_.obstacles.size(); ++k) {
     const StepObstacle& o = bed_.obstacles[k];
     // Where footprints overlap the higher block is what the flow meets.
-    if (o.covers(x, y) && o.height > found.first) found = {o.height, static_cast<int>(k)};
+    if (const double top = o.height > 0 ? o.top(x, y) : 0; top > found.first) found = {top, static_cast<int>(k)};
   }
   return found;
 }

@@ -50,13 +50,25 @@ ElevationBody ElevationBody::tetrahedron(int obstacle, std::string name, double 
   return body;
 }
 
+ElevationBody ElevationBody::surface(int obstacle, std::string name, double x0, double x1, double y0, double y1, double height,
+                                     std::function<double(double x, double y)> z_b) {
+  ElevationBody body(obstacle, std::move(name), height, x0, x1, y0, y1);
+  body.surface_ = std::move(z_b);
+  return body;
+}
+
 double ElevationBody::at(double x, double y) const {
+  if (surface_) return x >= x0_ && x <= x1_ && y >= y0_ && y <= y1_ ? std::max(0.0, surface_(x, y)) : 0.0;
   double least = height_;
   for (const Plane& p : planes_) least = std::min(least, height_of(p, x, y));
   return std::max(0.0, least);
 }
 
 double ElevationBody::rise(double x, double y, double dx, double dy) const {
+  if (surface_) {
+    const double far = 1e-3 * std::min(x1_ - x0_, y1_ - y0_);
+    return (at(x + far * dx, y + far * dy) - at(x, y)) / far;
+  }
   const double near = on_edge * height_;
   double least = std::numeric_limits<double>::infinity();
   for (const Plane& p : planes_) least = std::min(least, height_of(p, x, y));

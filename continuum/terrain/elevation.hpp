@@ -15,8 +15,10 @@
 //       +---------------+                                    \ |              +--> x
 //       ramp         ramp                                     \|  length
 //
-// Both are a roof of planes, z_b = max(0, min_k plane_k), so z_b is continuous and its derivatives jump at the edges only.
+// Both are a roof of planes, z_b = max(0, min_k plane_k), so z_b is continuous and its derivatives jump at the edges only. A
+// surface is any other z_b.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,11 @@ class ElevationBody {
   // length sqrt(3) L / 2. Throws std::invalid_argument where a length is not positive.
   static ElevationBody tetrahedron(int obstacle, std::string name, double x, double y, double length, double width,
                                    double height);
+
+  // Any z_b(x, y) on the base x0..x1, y0..y1, 0 beside it; `height` is its greatest value. Its slopes are taken over a
+  // thousandth of the base. Throws std::invalid_argument where a length is not positive.
+  static ElevationBody surface(int obstacle, std::string name, double x0, double x1, double y0, double y1, double height,
+                               std::function<double(double x, double y)> z_b);
 
   int obstacle() const { return obstacle_; }  // number in the scene's list of obstacles
   const std::string& name() const { return name_; }
@@ -66,6 +73,7 @@ class ElevationBody {
   std::string name_;
   double height_, x0_, x1_, y0_, y1_;
   std::vector<Plane> planes_;
+  std::function<double(double x, double y)> surface_;  // instead of planes
 };
 
 // All bodies of a scene. Where footprints overlap the higher one counts. Callable, so that it is a

@@ -16,6 +16,9 @@ struct StepObstacle {
   // Whether a cell with this centre belongs to it. Both edges across the slope count, so that a mirrored scene covers the
   // mirrored cells also where the edges lie on cell centres.
   bool covers(double x, double y) const { return x >= x0 && x < x1 && y >= y0 && y <= y1; }
+  // Of a body whose top is not level: its height [m] at a place, 0 where it is not; `height` is the greatest. Empty: level.
+  std::function<double(double x, double y)> shape{};
+  double top(double x, double y) const { return !covers(x, y) ? 0 : shape ? shape(x, y) : height; }
 };
 
 struct StepBed {

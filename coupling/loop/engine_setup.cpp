@@ -6,6 +6,7 @@
 
 #include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/build.hpp"
+#include "coupling/scene/bodies.hpp"
 #include "coupling/scene/inflow.hpp"
 
 namespace couloir {
@@ -139,7 +140,7 @@ std::vector<Triangle> bed_by_lines(const ReferenceSurface& surface, const ZoneLi
 }
 
 double mesh_size(const Scene& s) {
-  return 5 * s.grains.diameter;
+  return longest_edge(s.grains);
 }
 
 }  // namespace

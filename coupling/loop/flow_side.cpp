@@ -71,7 +71,7 @@ void FlowSide::lay_bed(const StepBed& bed, int levels) {
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i)
       for (const StepObstacle& o : bed.obstacles)
-        if (o.height > 0 && o.covers(grid.x(i), grid.y(j))) bed_[std::size_t(j) * grid.nx + i] += o.height;
+        if (o.height > 0) bed_[std::size_t(j) * grid.nx + i] += o.top(grid.x(i), grid.y(j));
 }
 
 // The top of a step is its footprint; that of a smooth body are its highest cells: a plateau, or the cells around a peak.
@@ -82,7 +82,7 @@ FlowSide::Top FlowSide::top_of(const ObstacleSpec& o, int id, const StepBed& bed
       return owner(x, y) == id ? height(x, y) : 0.0;
     };
   } else {
-    top.height = [step = bed.obstacles[id]](double x, double y) { return step.covers(x, y) ? step.height : 0.0; };
+    top.height = [step = bed.obstacles[id]](double x, double y) { return step.top(x, y); };
   }
   return top;
 }
@@ -106,8 +106,9 @@ int FlowSide::add_gauge(const ObstacleSpec& o) {
   const int i = int(std::floor((o.crest_x() - grid.x0) / grid.dx + 0.5 + 1e-9));
   int j0 = grid.ny, j1 = 0;
   for (int j = 0; j < grid.ny; ++j)
-    if (grid.y(j) >= o.y - half && grid.y(j) <= o.y + half) j0 = std::min(j0, j), j1 = j + 1;
-  if (j0 >= j1) j0 = std::clamp(int(std::floor((o.y - grid.y0) / grid.dy)), 0, grid.ny - 1), j1 = j0 + 1;  // narrower than a row
+    if (grid.y(j) >= o.crest_y() - half && grid.y(j) <= o.crest_y() + half) j0 = std::min(j0, j), j1 = j + 1;
+  if (j0 >= j1)
+    j0 = std::clamp(int(std::floor((o.crest_y() - grid.y0) / grid.dy)), 0, grid.ny - 1), j1 = j0 + 1;  // narrower than a row
   return model_->add_gauge(std::clamp(i, 0, grid.nx), j0, j1);
 }
 

@@ -25,7 +25,8 @@ GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const Refere
   table_ = std::make_unique<PackingTable>(packing, grain_density(scene, packing));
   timestep_ = engine_timestep(scene, table_->grain_density());
   for (const ObstacleSpec& o : scene.obstacles)
-    overtopping_.emplace_back(o.crest_x(), o.y - 0.5 * o.crest_width(), o.y + 0.5 * o.crest_width(), table_->grain_density());
+    overtopping_.emplace_back(o.crest_x(), o.crest_y() - 0.5 * o.crest_width(), o.crest_y() + 0.5 * o.crest_width(),
+                              table_->grain_density());
 }
 
 GrainSide::~GrainSide() {

@@ -121,7 +121,12 @@ class GrainsRun : public ModeRun {
     const CoarseGrained field =
         coarse_grain(g, grid_, box, surface_, side_->table().grain_density(), side_->table().bulk_density(), false);
     double most = 0;
-    for (const FlowState& q : field.cells) most = std::max(most, q.h);
+    for (int j = box.j0; j < box.j1; ++j)
+      for (int i = box.i0; i < box.i1; ++i) {
+        // The box around a mesh holds places beside it.
+        if (o.shape == ObstacleSpec::Shape::mesh && !o.covers(grid_.x(i), grid_.y(j))) continue;
+        most = std::max(most, field.at(i, j).h);
+      }
     return most;
   }
 

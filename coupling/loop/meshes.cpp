@@ -108,9 +108,22 @@ std::vector<Triangle> tetrahedron_mesh(const ReferenceSurface& surface, const Ob
   return out;
 }
 
+// Rigid, its z axis along the normal at the middle of its box: on an arc it stands on the tangent plane there, as a cuboid does.
+std::vector<Triangle> body_mesh(const ReferenceSurface& surface, const ObstacleSpec& o, double size) {
+  const double middle = o.x + 0.5 * o.length;
+  const Eigen::Vector3d foot = surface.to_space({middle, o.y, 0}), t = surface.tangent(middle), n = surface.normal(middle);
+  const auto at = [&](const BodyPoint& p) {
+    return vec(foot + (p[0] - 0.5 * o.length) * t + p[1] * Eigen::Vector3d::UnitY() + p[2] * n);
+  };
+  std::vector<Triangle> out;
+  for (const BodyTriangle& b : cut_to_size(o.body->triangles(), size)) out.push_back({at(b[0]), at(b[1]), at(b[2])});
+  return out;
+}
+
 ObstacleMesh obstacle_mesh(const ReferenceSurface& surface, const ObstacleSpec& o, double size,
                            const std::vector<StressGaugeSpec>& gauges) {
   if (o.shape == ObstacleSpec::Shape::tetrahedron) return {tetrahedron_mesh(surface, o, size), {}};
+  if (o.shape == ObstacleSpec::Shape::mesh) return {body_mesh(surface, o, size), {}};
   return cuboid_mesh(surface, o, size, gauges);
 }
 

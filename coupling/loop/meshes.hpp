@@ -27,6 +27,8 @@ ObstacleMesh cuboid_mesh(const ReferenceSurface&, const ObstacleSpec&, double si
 // The three upper faces of a wedge, its base on the tangent plane at the foot of its peak. The triangles turn their normal
 // (b - a) x (c - a) out of the body.
 std::vector<Triangle> tetrahedron_mesh(const ReferenceSurface&, const ObstacleSpec&, double size);
+// The triangles of an obstacle of shape mesh, long edges cut.
+std::vector<Triangle> body_mesh(const ReferenceSurface&, const ObstacleSpec&, double size);
 // Whichever of them the obstacle is; only a cuboid has gauges.
 ObstacleMesh obstacle_mesh(const ReferenceSurface&, const ObstacleSpec&, double size,
                            const std::vector<StressGaugeSpec>& gauges = {});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "coupling/engine/contact_law.hpp"
@@ -50,6 +51,10 @@ Side side_of(const Scene& scene, const SideSpec& spec) {
   if (spec.kind == SideSpec::Kind::inflow && spec.inflow == SideSpec::Inflow::hydrograph)
     for (const InflowRow& row : spec.hydrograph) side.hydrograph.push_back({row.time, row.depth, row.velocity});
   return side;
+}
+
+std::function<double(double x, double y)> upper_surface(const ObstacleSpec& mesh) {
+  return [body = mesh.body, x0 = mesh.x, y0 = mesh.y](double x, double y) { return body->top(x - x0, y - y0); };
 }
 
 Refinement refinement_of(const Scene& scene) {
@@ -111,6 +116,7 @@ StepBed step_bed(const Scene& scene) {
   for (const ObstacleSpec& o : scene.obstacles) {
     const double step = o.method == ObstacleSpec::Method::elevation ? 0 : o.height;
     bed.obstacles.push_back({o.name, o.x, o.x + o.length, o.y - o.width / 2, o.y + o.width / 2, step});
+    if (step > 0 && o.shape == ObstacleSpec::Shape::mesh) bed.obstacles.back().shape = upper_surface(o);
   }
   const Elevation smooth = elevation(scene);
   if (smooth.empty()) return bed;
@@ -144,6 +150,11 @@ Elevation elevation(const Scene& scene) {
     const int id = static_cast<int>(n);
     if (o.shape == ObstacleSpec::Shape::tetrahedron) {
       all.add(ElevationBody::tetrahedron(id, o.name, o.x, o.y, o.length, o.width, o.height));
+      continue;
+    }
+    if (o.shape == ObstacleSpec::Shape::mesh) {
+      all.add(ElevationBody::surface(id, o.name, o.x, o.x + o.length, o.y - o.width / 2, o.y + o.width / 2, o.height,
+                                     upper_surface(o)));
       continue;
     }
     // In so short a ramp no cell's centre may lie, but the body keeps its height.

@@ -107,7 +107,11 @@ struct Listing {
   // Grains carry the flow around it.
   bool among_grains(const ObstacleSpec& o) const { return !continuum || (zone && zone->holds(o)); }
 
-  static std::string body(const ObstacleSpec& o) { return fmt::format("{} ({} high)", o.name, len(o.height)); }
+  static std::string body(const ObstacleSpec& o) {
+    if (o.shape != ObstacleSpec::Shape::mesh) return fmt::format("{} ({} high)", o.name, len(o.height));
+    return fmt::format("{} ({} triangles{}{}, {} high)", o.name, o.faces.size(), o.file.empty() ? "" : " of ", o.file,
+                       len(o.height));
+  }
 
   // The obstacles that the continuum meets by this method.
   std::vector<std::string> bodies(ObstacleSpec::Method method) const {

@@ -142,6 +142,13 @@ void Records::write_grid(const RunStart& start) {
     const std::pair<const char*, double> numbers[] = {
         {"x", o.x}, {"y", o.y}, {"length", o.length}, {"width", o.width}, {"height", o.height}};
     for (const auto& [name, value] : numbers) h5::put_attribute(group, name, value);
+    if (o.shape != ObstacleSpec::Shape::mesh) continue;
+    std::vector<double> corners;
+    for (const BodyTriangle& t : o.body->triangles())
+      for (const BodyPoint& p : t) corners.insert(corners.end(), {o.x + p[0], o.y + p[1], p[2]});
+    h5::put(
+        group, "triangles", corners, {o.body->triangles().size(), 3, 3},
+        {"m", "corners [x, y, height above the bed] of the body's triangles, counter-clockwise from outside, without its base"});
   }
   const h5::Handle effects = h5::create_group(file_, "effects");
   h5::TextSeries name(effects, "name", {"", "physical or numerical effect"}),

@@ -5,6 +5,7 @@
 //   /surface/{x,angle,line}             the reference surface: arc length, inclination, points in the level frame
 //   /grid/{x,y,bed,nodes}               cell centres, bed by cell, cell corners on the reference surface in the level frame
 //   /obstacles/<name>                   attributes: footprint and height
+//   /obstacles/<name>/triangles         of an obstacle of shape mesh
 //   /effects/{name,on,reason}
 //   /frames/<000000>/{time,h,hu,hv,surface,velocity,zone}
 //   /frames/<000000>/blocks/{level,i0,j0,nx,ny,h,hu,hv}                   where cells are refined: all blocks

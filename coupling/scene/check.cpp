@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "coupling/scene/bodies.hpp"
 #include "coupling/scene/check_engine.hpp"
 #include "coupling/scene/check_gauges.hpp"
 #include "coupling/scene/check_mesh.hpp"
@@ -26,6 +28,9 @@ constexpr double most_passive = 20;
 // Depth over the arc's radius: at 1 the normals meet inside the flow; at 1/2 the volume above a piece of the bed, which the model
 // takes for h, is h (1 - h / 2R), a quarter less.
 constexpr double most_on_arc = 0.5;
+
+// LIGGGHTS's own bound, below which it warns; it refuses a mesh with angles somewhat smaller.
+constexpr double thinnest_deg = 0.5, thinnest = thinnest_deg * std::numbers::pi / 180;
 
 std::string len(double value) {
   return short_quantity(value, Dimension::length);
@@ -180,6 +185,8 @@ struct Checker {
       }
       if (o.ramp > 0) fail(key + ".ramp", "belongs to a cuboid; a tetrahedron's faces are given by its size; leave it out");
     }
+    const bool mesh = o.shape == ObstacleSpec::Shape::mesh;
+    if (mesh && o.ramp > 0) fail(key + ".ramp", "belongs to a cuboid; a mesh has its own sides; leave it out");
     if (o.ramp > std::min(o.length, o.width) / 2 + room()) {
       fail(key + ".ramp", "is {}, more than half of the base's shorter edge ({}); shorten it", len(o.ramp),
            len(std::min(o.length, o.width)));
@@ -191,11 +198,23 @@ struct Checker {
     }
     const double cell = scene.continuum.cell;
     if (continuum() && cell > 0 && (o.length < 0.999 * cell || o.width < 0.999 * scene.continuum.across())) {
-      fail(key + ".size",
+      fail(key + (mesh ? ".file" : ".size"),
            "is {} by {} on the bed, thinner than a cell ({}), so that the mesh would not see it; use smaller cells",
            len(o.length), len(o.width), len(cell));
     }
+    if (mesh && grains() && scene.grains.diameter > 0) thin_triangles(o, key);
     if (o.method == ObstacleSpec::Method::planes) planes(o, key);
+  }
+
+  void thin_triangles(const ObstacleSpec& o, const std::string& key) const {
+    const double angle = smallest_angle(cut_to_size(o.body->triangles(), longest_edge(scene.grains)));
+    if (angle < thinnest) {
+      fail(
+          key + ".file",
+          "has triangles with an angle of {:.2g} deg, so thin that the engine refuses them: at least {} deg; mesh the body anew, "
+          "or use mode: continuum",
+          angle / thinnest * thinnest_deg, thinnest_deg);
+    }
   }
 
   // The one cuboid of five planes. Grains meet its solid body instead, so the method then has no say.
@@ -226,6 +245,9 @@ struct Checker {
   }
 
   bool overlaps_release(const ObstacleSpec& o) const {
+    if (o.shape == ObstacleSpec::Shape::mesh) {
+      return some_place(o, [&](double x, double y) { return o.covers(x, y) && shape_depth(scene, x, y) > 0; });
+    }
     // The footprint's point nearest to the release's middle decides: all shapes are convex and symmetric about it.
     const Footprint f = release_footprint(scene);
     const double x = std::clamp((f.x0 + f.x1) / 2, o.x, o.x + o.length);
@@ -237,9 +259,23 @@ struct Checker {
     return shape_depth(scene, x, y) > 0;
   }
 
+  // Whether it is so somewhere in the box around the obstacle, by a raster.
+  template <class Is>
+  static bool some_place(const ObstacleSpec& o, const Is& is) {
+    constexpr int n = 256;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        if (is(o.x + (i + 0.5) / n * o.length, o.y + ((j + 0.5) / n - 0.5) * o.width)) return true;
+    return false;
+  }
+
   void apart(const ObstacleSpec& a, const ObstacleSpec& b) const {
     if (a.x < b.x + b.length - room() && b.x < a.x + a.length - room() &&
         std::abs(a.y - b.y) < (a.width + b.width) / 2 - room()) {
+      // A body may stand in the box around another one.
+      const bool boxes = a.shape == ObstacleSpec::Shape::cuboid && b.shape == ObstacleSpec::Shape::cuboid;
+      const auto both = [&](double x, double y) { return a.covers(x, y) && b.covers(x, y); };
+      if (!boxes && !some_place(a, both) && !some_place(b, both)) return;
       fail("obstacles." + b.name, "overlaps obstacles.{}; move one of them", a.name);
     }
   }

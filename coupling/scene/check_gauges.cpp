@@ -45,7 +45,9 @@ struct GaugeChecker {
 
   void shape() const {
     if (obstacle.shape != ObstacleSpec::Shape::cuboid) {
-      fail("", "is on a tetrahedron, which has no face across the flow; stress gauges belong to cuboids, so leave it out");
+      const bool wedge = obstacle.shape == ObstacleSpec::Shape::tetrahedron;
+      fail("", "is on a {}, which has no face across the flow; stress gauges belong to cuboids, so leave it out",
+           wedge ? "tetrahedron" : "mesh");
     }
     const bool rectangle = gauge.width > 0, round = gauge.radius > 0;
     if (rectangle && round) fail("", "has a size and a radius; keep the size of a rectangle or the radius of a round one");

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "coupling/scene/binder.hpp"
+#include "coupling/scene/bodies.hpp"
 #include "coupling/scene/check.hpp"
 #include "coupling/scene/document.hpp"
 #include "coupling/scene/names.hpp"
@@ -116,6 +117,7 @@ Scene read_scene(const std::string& path, const std::string& materials, const Ov
 
   scene.places = Places(file);
   bind(document, scene);
+  read_bodies(scene, fs::path(file).parent_path().string());
   check_scene(scene);
   return scene;
 }

@@ -18,6 +18,7 @@ std::string kind_of(const Key& key) {
     case ValueKind::table: {
       std::vector<std::string> units;
       for (const Dimension d : key.columns) units.push_back(si_unit(d));
+      if (units.front().empty()) return fmt::format("list of rows of {} whole numbers", units.size());
       return fmt::format("list of rows [{}]", fmt::join(units, ", "));
     }
     case ValueKind::integer:

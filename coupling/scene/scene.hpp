@@ -2,11 +2,13 @@
 // A run as plain data: SI units, radians, complete (every default filled in). Made by the reader, used by everybody.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "coupling/scene/places.hpp"
+#include "coupling/scene/solid_body.hpp"
 
 namespace couloir {
 
@@ -57,13 +59,15 @@ struct ReleaseSpec {
 
 struct ObstacleSpec {
   // tetrahedron: on a triangle with one corner upstream and an edge across the slope downstream, peak above its centre (4.2),
-  // (4.3)
-  enum class Shape { cuboid, tetrahedron };
+  // (4.3); mesh: any body of triangles
+  enum class Shape { cuboid, tetrahedron, mesh };
   // What the continuum makes of it: a jump of the bed, a smooth bed height z_b(x, y), or planes of its own (chapter 6).
   enum class Method { step, elevation, planes };
 
   std::string name;
-  double x = 0, y = 0;                       // [m] middle of the upstream edge of the footprint; tetrahedron: its upstream corner
+  // [m] middle of the upstream edge of the footprint; tetrahedron: its upstream corner; mesh: of the box around it, seen from
+  // above
+  double x = 0, y = 0;
   double length = 0, width = 0, height = 0;  // [m] of the base along the slope and across it; along the normal
   Shape shape = Shape::cuboid;
   Method method = Method::step;
@@ -71,10 +75,20 @@ struct ObstacleSpec {
   double eta = 0.8;               // planes: share of the velocity that the edge at its foot passes on
   std::string overflow = "warn";  // planes: | error, when material comes over its upper edges
 
-  bool covers(double x, double y) const;  // whether its base holds this place, edge included
-  double base_area() const;               // [m2]
+  // Of a mesh: where it comes from, and its triangles in that file's frame, in metres. bodies.hpp makes the rest of them.
+  std::string file;                       // as given, from the scene's folder
+  std::string unit = "mm";                // of the file's numbers
+  double rotation = 0;                    // [rad] about the normal, counter-clockwise seen from above
+  std::vector<BodyPoint> vertices;        // [m]
+  std::vector<std::array<int, 3>> faces;  // numbers of vertices, counter-clockwise seen from outside
+  std::shared_ptr<const SolidBody> body;  // turned; length, width and height are those of the box around it
+
+  bool covers(double x, double y) const;  // whether its base holds this place, edge included; mesh: whether it is over it
+  double base_area() const;               // [m2] of that
   double crest_x() const;                 // [m] the line across the slope that material must pass to have come over it ...
-  double crest_width() const;             // [m] ... and the obstacle's width there
+  double crest_y() const;                 // [m] ... the middle of the obstacle there ...
+  double crest_width() const;             // [m] ... and its width
+  double top(double x, double y) const;   // [m] mesh: of its upper surface, 0 beside it
 };
 
 // A part of a cuboid's upstream face on which the grains' stresses are read; stress_gauge.hpp has its outline.

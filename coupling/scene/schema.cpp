@@ -153,6 +153,68 @@ void add_stress_gauges(Keys& k) {
             .optional());
 }
 
+// A table whose rows of three are entries of a vector of the obstacle.
+template <class Number>
+Key triples(const std::string& path, const std::string& help, Dimension dimension, const std::vector<std::string>& columns,
+            std::vector<std::array<Number, 3>> ObstacleSpec::*member) {
+  Key key;
+  key.path = path;
+  key.kind = ValueKind::table;
+  key.help = help;
+  key.columns = {dimension, dimension, dimension};
+  key.column_names = columns;
+  key.presence = Presence::optional;
+  key.selector = "shape";
+  key.selected = {"mesh"};
+  key.get = [=](const Scene& s, int i) -> Value {
+    std::vector<double> out;
+    for (const auto& row : s.obstacles[i].*member)
+      for (const Number x : row) out.push_back(static_cast<double>(x));
+    return out;
+  };
+  key.set = [=](Scene& s, int i, const Value& value) {
+    const auto& list = std::get<std::vector<double>>(value);
+    auto& rows = s.obstacles[i].*member;
+    rows.clear();
+    for (std::size_t n = 0; n + 2 < list.size(); n += 3)
+      rows.push_back({static_cast<Number>(list[n]), static_cast<Number>(list[n + 1]), static_cast<Number>(list[n + 2])});
+  };
+  return key;
+}
+
+void add_mesh(Keys& k) {
+  k.add(text(
+            "obstacles.*.file",
+            "STL file, text or binary, its name counted from the scene's folder: a closed surface, all triangles looking out, "
+            "z along the normal from the bed at 0, x along the slope; what reaches below the bed is cut off",
+            [](auto& s, int i) -> auto& { return s.obstacles[i].file; })
+            .optional()
+            .when("shape", {"mesh"}));
+  k.add(word(
+            "obstacles.*.unit", "of the file's numbers, which have none", {"mm", "cm", "m"},
+            [](auto& s, int i) -> auto& { return s.obstacles[i].unit; })
+            .when("shape", {"mesh"}));
+  k.add(number(
+            "obstacles.*.rotation", angle, "about the normal, counter-clockwise seen from above",
+            [](auto& s, int i) -> auto& { return s.obstacles[i].rotation; })
+            .within(-360 * deg * (1 + 1e-9), 360 * deg * (1 + 1e-9))
+            .when("shape", {"mesh"}));
+  Key vertices =
+      triples("obstacles.*.vertices",
+              "corners [x, y, z] in the file's frame, in metres or with units; with these and faces no file is read: so "
+              "a run's own scene keeps the body",
+              length, {"x", "y", "z"}, &ObstacleSpec::vertices);
+  vertices.scaled = false;
+  vertices.bounds = {-1e6, 1e6, false};
+  k.add(vertices);
+  Key faces =
+      triples("obstacles.*.faces", "triangles, each three numbers of vertices, counted from 0, counter-clockwise from outside",
+              none, {"first", "second", "third"}, &ObstacleSpec::faces);
+  faces.scaled = false;
+  faces.bounds = {0, 1e6, false};
+  k.add(faces);
+}
+
 void add_obstacles(Keys& k) {
   const auto position = [](auto& s, int i) {
     auto& o = s.obstacles[i];
@@ -166,9 +228,9 @@ void add_obstacles(Keys& k) {
       "obstacles", "solid bodies on the bed, by names of your choice", [](auto& s) -> auto& { return s.obstacles; }));
   KeyBuilder shape = choice(
       "obstacles.*.shape",
-      "cuboid, or tetrahedron: a wedge on a triangle with one corner upstream, its peak above the "
-      "triangle's centre, (4.2)-(4.5)",
-      {"cuboid", "tetrahedron"}, [](auto& s, int i) -> auto& { return s.obstacles[i].shape; });
+      "cuboid; tetrahedron: a wedge on a triangle with one corner upstream, its peak above the "
+      "triangle's centre, (4.2)-(4.5); mesh: a body of any shape from an STL file",
+      {"cuboid", "tetrahedron", "mesh"}, [](auto& s, int i) -> auto& { return s.obstacles[i].shape; });
   shape.key().set = [set = shape.key().set](Scene& s, int i, const Value& value) {
     using enum ObstacleSpec::Shape;
     using enum ObstacleSpec::Method;
@@ -176,19 +238,25 @@ void add_obstacles(Keys& k) {
     s.obstacles[i].method = s.obstacles[i].shape == tetrahedron ? elevation : step;
   };
   k.add(shape);
-  k.add(numbers("obstacles.*.position", length,
-                "[x, y] of the middle of the upstream edge of the footprint; tetrahedron: of its upstream corner", position)
-            .required());
+  k.add(
+      numbers("obstacles.*.position", length,
+              "[x, y] of the middle of the upstream edge of the footprint; tetrahedron: of its upstream corner; mesh: of the box "
+              "around it as it stands",
+              position)
+          .required());
   k.add(numbers("obstacles.*.size", length,
                 "[along, across, normal] of the base and the height; tetrahedron: an equilateral base of edge L is [0.8660254 L, "
                 "L, height]",
                 size)
             .above(0)
-            .required());
+            .required()
+            .when("shape", {"cuboid", "tetrahedron"}));
+  add_mesh(k);
   k.add(choice(
       "obstacles.*.method",
       "of the continuum; step: the bed jumps, nothing flows through; elevation: a smooth bed height, (4.4)-(4.9), as a "
-      "tetrahedron always is; planes: a cuboid of five planes of their own, on which the flow climbs and falls back",
+      "tetrahedron always is; both take a mesh's upper surface at the cells' centres; planes: a cuboid of five planes of their "
+      "own, on which the flow climbs and falls back",
       {"step", "elevation", "planes"}, [](auto& s, int i) -> auto& { return s.obstacles[i].method; }));
   k.add(number(
             "obstacles.*.ramp", length,

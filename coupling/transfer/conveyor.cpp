@@ -34,12 +34,7 @@ void Conveyor::advance(int segment, double displacement, double mass, const std:
   const double d = 2 * list.front().r;
   const auto [first_cell, past] = face_->cells_of_segment(segment);
   const double area = (past - first_cell) * face_->cell_width * 4 * d;  // over which a debt is spread
-  const Vec& o = face_->drive.origin;
   const Vec& n = face_->drive.inward;
-  const Vec& a = face_->drive.along;
-  // Upward normal of the face's frame: n x a, turned up.
-  Vec up{n[1] * a[2] - n[2] * a[1], n[2] * a[0] - n[0] * a[2], n[0] * a[1] - n[1] * a[0]};
-  if (up[2] < 0) up = {-up[0], -up[1], -up[2]};
 
   double taken = 0;
   for (;; ++s.passed) {
@@ -56,8 +51,7 @@ void Conveyor::advance(int segment, double displacement, double mass, const std:
 
     const double distance = -layer_ + (s.position - x);
     const double z = std::max(c.z, c.r);  // no overlap with the bed from the weight of a deeper block
-    Vec p;
-    for (int q = 0; q < 3; ++q) p[q] = o[q] + distance * n[q] + c.along * a[q] + z * up[q];
+    const Vec p = face_->place(distance, c.along, z);
     if (occupied(segment, p, c.r)) continue;
     Vec v;
     for (int q = 0; q < 3; ++q) v[q] = velocity * n[q];

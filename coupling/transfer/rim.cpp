@@ -19,8 +19,13 @@ double dot_offset(const Vec& p, const Vec& origin, const Vec& direction) {
 double RimFace::distance(const Vec& p) const {
   return dot_offset(p, drive.origin, drive.inward);
 }
+// A lateral face follows the surface: across an arc the chord is shorter, and a grain's height above the bed would count.
 double RimFace::along(const Vec& p) const {
-  return dot_offset(p, drive.origin, drive.along);
+  return axis() == 0 ? p[1] - y0 : surface->to_surface({p[0], p[1], p[2]}).x - x0;
+}
+Vec RimFace::place(double distance, double along, double height) const {
+  const double in = sign() * distance;
+  return to_vec(axis() == 0 ? surface->to_space({x0 + in, y0 + along, height}) : surface->to_space({x0 + along, y0 + in, height}));
 }
 int RimFace::cell_at(double a) const {
   return int(std::clamp(std::floor(a / cell_width), 0.0, double(cells - 1)));
@@ -33,13 +38,13 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
   const double d = settings.diameter;
   if (!settings_.anchor) settings_.anchor = {xl, yl};
 
-  const auto add = [&](SideName side, int cells, double width, const Eigen::Vector3d& origin, const Eigen::Vector3d& inward,
+  const auto add = [&](SideName side, int cells, double width, double x0, double y0, const Eigen::Vector3d& inward,
                        const Eigen::Vector3d& along) {
-    RimFace face{.side = side, .cells = cells, .cell_width = width, .drive = {}};
+    RimFace face{.side = side, .cells = cells, .cell_width = width, .drive = {}, .surface = &surface, .x0 = x0, .y0 = y0};
     face.from_anchor = face.axis() == 0 ? yl - (*settings_.anchor)[1] : xl - (*settings_.anchor)[0];
     face.cells_per_segment = std::clamp(int(std::ceil(settings.segment * d / width - 1e-9)), 1, cells);
     face.segments = (cells + face.cells_per_segment - 1) / face.cells_per_segment;
-    face.drive = {.origin = to_vec(origin),
+    face.drive = {.origin = to_vec(surface.to_space({x0, y0, 0})),
                   .inward = to_vec(inward),
                   .along = to_vec(along),
                   .segment_width = face.cells_per_segment * width,
@@ -50,14 +55,14 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
   };
 
   const Eigen::Vector3d across(0, 1, 0);
-  // On an arc a lateral face is a plane; its long direction is the chord's.
+  // The engine's segments of a lateral face lie along the chord.
   const Eigen::Vector3d chord = (surface.to_space({xh, 0, 0}) - surface.to_space({xl, 0, 0})).normalized();
   if (zone.i0 > 0)
-    add(SideName::upstream, zone.j1 - zone.j0, grid.dy, surface.to_space({xl, yl, 0}), surface.tangent(xl), across);
+    add(SideName::upstream, zone.j1 - zone.j0, grid.dy, xl, yl, surface.tangent(xl), across);
   if (zone.i1 < grid.nx)
-    add(SideName::downstream, zone.j1 - zone.j0, grid.dy, surface.to_space({xh, yl, 0}), -surface.tangent(xh), across);
-  if (zone.j0 > 0) add(SideName::left, zone.i1 - zone.i0, grid.dx, surface.to_space({xl, yl, 0}), across, chord);
-  if (zone.j1 < grid.ny) add(SideName::right, zone.i1 - zone.i0, grid.dx, surface.to_space({xl, yh, 0}), -across, chord);
+    add(SideName::downstream, zone.j1 - zone.j0, grid.dy, xh, yl, -surface.tangent(xh), across);
+  if (zone.j0 > 0) add(SideName::left, zone.i1 - zone.i0, grid.dx, xl, yl, across, chord);
+  if (zone.j1 < grid.ny) add(SideName::right, zone.i1 - zone.i0, grid.dx, xl, yh, -across, chord);
 }
 
 std::pair<int, int> Rim::outside_cell(const RimFace& face, int k) const {

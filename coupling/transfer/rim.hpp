@@ -33,8 +33,12 @@ struct RimFace {
     return {s * cells_per_segment, std::min(cells, (s + 1) * cells_per_segment)};
   }
   double distance(const Vec& p) const;  // [m] along the inward normal, positive in the zone
-  double along(const Vec& p) const;     // [m] from the face's low end
+  double along(const Vec& p) const;     // [m] from the face's low end, on the reference surface
   int cell_at(double along) const;      // clamped to the face
+  Vec place(double distance, double along, double height) const;  // in space; `height` [m] above the reference surface
+
+  const ReferenceSurface* surface = nullptr;
+  double x0 = 0, y0 = 0;  // [m] reference coordinates of the low end
 };
 
 struct RimSettings {
@@ -50,6 +54,7 @@ struct RimSettings {
 
 class Rim {
  public:
+  // Keeps the surface.
   Rim(const Grid&, const CellBox& zone, const ReferenceSurface&, const RimSettings&);
 
   const std::vector<RimFace>& faces() const { return faces_; }

@@ -289,7 +289,7 @@ TEST_F(Check, ElevationOfObstacles) {
   EXPECT_EQ(error(wall("shape: tetrahedron, ramp: 5 mm")),
             "scene.yaml:6: obstacles.wall.ramp belongs to a cuboid; a tetrahedron's faces are given by its size; leave it out");
   EXPECT_EQ(error(wall("shape: tetraedron")),
-            "scene.yaml:6: obstacles.wall.shape is 'tetraedron', but must be one of cuboid, tetrahedron; did you mean "
+            "scene.yaml:6: obstacles.wall.shape is 'tetraedron', but must be one of cuboid, tetrahedron, mesh; did you mean "
             "'tetrahedron'?");
 }
 

@@ -34,8 +34,45 @@ TEST(Rim, DistanceIsPositiveInsideAndCellsAreCountedFromTheLowEnd) {
   }
 }
 
+// Across incline, arc and run-out: a grain belongs to the cell that it is over, whatever its height.
+TEST(Rim, LateralFacesFollowTheArc) {
+  const auto surface = ReferenceSurface::chute(0.8, 0.3, 0.4, 0.3);
+  const Rim rim(grid, {20, 90, 10, 30}, surface, settings);
+  int lateral = 0;
+  for (const RimFace& face : rim.faces()) {
+    if (face.axis() == 0) continue;
+    ++lateral;
+    for (int k = 0; k < face.cells; ++k) {
+      const auto [i, j] = rim.outside_cell(face, k);
+      for (double n : {0.0, 0.04}) {
+        const Eigen::Vector3d p = surface.to_space({grid.x(i), grid.y(j), n});
+        EXPECT_EQ(face.cell_at(face.along({p.x(), p.y(), p.z()})), k) << n;
+        EXPECT_NEAR(face.distance({p.x(), p.y(), p.z()}), -0.005, 1e-12);
+      }
+    }
+  }
+  EXPECT_EQ(lateral, 2);
+}
+
+TEST(Rim, APlaceIsWhereItsDistanceAndItsCellSay) {
+  const auto surface = ReferenceSurface::chute(0.8, 0.3, 0.4, 0.3);
+  for (const CellBox& zone : {CellBox{20, 90, 10, 30}, CellBox{45, 60, 10, 30}}) {
+    const Rim rim(grid, zone, surface, settings);
+    for (const RimFace& face : rim.faces()) {
+      for (double along : {0.003, 0.061}) {
+        const Vec p = face.place(-0.004, along, 0.02);
+        const SurfacePoint s = surface.to_surface({p[0], p[1], p[2]});
+        EXPECT_NEAR(s.n, 0.02, 1e-12);
+        EXPECT_NEAR(face.along(p), along, 1e-12);
+        EXPECT_NEAR(face.distance(p), -0.004, 2e-4);  // by arc, not by tangent: 0.004 * 0.02 / R
+      }
+    }
+  }
+}
+
 TEST(Rim, SegmentsAreAtLeastAsWideAsAskedAndCoverTheFace) {
-  const Rim rim(grid, {30, 60, 10, 30}, ReferenceSurface::flat(1.0), settings);
+  const auto surface = ReferenceSurface::flat(1.0);
+  const Rim rim(grid, {30, 60, 10, 30}, surface, settings);
   const RimFace& face = rim.faces()[0];
   EXPECT_GE(face.drive.segment_width, settings.segment * settings.diameter);
   EXPECT_EQ(face.segment_of_cell(face.cells - 1), face.segments - 1);
