@@ -172,18 +172,28 @@ void Solver::fail_step(double dt) const {
   impl_->fail_step(dt);
 }
 
-void Solver::cover(const CellBox& box) {
-  impl_->cover(box);
+int Solver::cover(const CellBox& box) {
+  const int id = impl_->zones.cover(box);
+  impl_->lay_zones();
+  return id;
 }
-void Solver::uncover() {
-  impl_->uncover();
+void Solver::move_zone(int zone, const CellBox& box) {
+  impl_->zones.move(zone, box);
+  impl_->lay_zones();
 }
-const CellBox& Solver::covered() const {
-  return impl_->zone.box();
+void Solver::uncover(int zone) {
+  impl_->zones.uncover(zone);
+  impl_->lay_zones();
+}
+const CellBox& Solver::covered(int zone) const {
+  return impl_->zones.zone(zone).box();
+}
+int Solver::zones() const {
+  return impl_->zones.ids();
 }
 
 void Solver::set_covered(int i, int j, const FlowState& q) {
-  if (!covered().contains(i, j)) {
+  if (!impl_->zones.contains(i, j)) {
     std::ostringstream text;
     text << "Cell (" << i << ", " << j << ") is not covered, so its state is the solver's own; use set().";
     throw std::out_of_range(text.str());
@@ -191,14 +201,14 @@ void Solver::set_covered(int i, int j, const FlowState& q) {
   impl_->put(i, j, q);
 }
 
-void Solver::impose(SideName side, int k, const FaceFlux& flux) {
-  impl_->zone.impose(side, k, flux);
+void Solver::impose(int zone, SideName side, int k, const FaceFlux& flux) {
+  impl_->zones.zone(zone).impose(side, k, flux);
 }
-FaceFlux Solver::passed(SideName side, int k) const {
-  return impl_->zone.passed(side, k);
+FaceFlux Solver::passed(int zone, SideName side, int k) const {
+  return impl_->zones.zone(zone).passed(side, k);
 }
-void Solver::reset_rim() {
-  impl_->zone.reset_passed();
+void Solver::reset_rim(int zone) {
+  impl_->zones.zone(zone).reset_passed();
 }
 
 std::array<double, 2> Solver::obstacle_impulse(int id) const {

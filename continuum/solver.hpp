@@ -52,17 +52,25 @@ class Solver final : public FlowModel {
   double stable_dt() const override;
   void step(double dt) override;
 
-  // The covered zone: cells whose material is not the solver's. They are not stepped; their neighbours see the state given
-  // here in reconstructions; every face of the rim passes exactly the imposed flux (limited so that no cell is emptied).
-  void cover(const CellBox&);  // one box; the cells keep their last state as the covered state
-  void uncover();              // all covered cells become active with their present state
-  const CellBox& covered() const;
-  void set_covered(int i, int j, const FlowState&);
+  // Covered zones: boxes of cells whose material is not the solver's. They are not stepped; their neighbours see the state given
+  // here in reconstructions; every face of their rims passes exactly the imposed flux (limited so that no cell is emptied, also
+  // one between two zones). Between two zones there is at least one open cell, round corners and over periodic sides too.
+  // Throws std::invalid_argument. Returns the zone's id: 0, 1, ...; none is given twice.
+  int cover(const CellBox&);  // the cells keep their last state as the covered state
+  // It covers these cells instead, of which it may have had some: those keep their covered state, those that join them their last
+  // state; those that it leaves become the solver's with their present state. Its rim starts anew: nothing imposed, nothing
+  // passed.
+  void move_zone(int zone, const CellBox&);
+  void uncover(int zone);                  // its cells become the solver's with their present state; the id stays unused
+  const CellBox& covered(int zone) const;  // empty: uncovered
+  int zones() const;                       // how many ids have been given
+  void set_covered(int i, int j, const FlowState&);  // of any zone
   // Rim faces: side by SideName of the zone (upstream face: x = x of i0), k counts cells along the face from the low end.
-  void impose(SideName, int k, const FaceFlux&);
+  // Of an id or a face that there is not: std::out_of_range.
+  void impose(int zone, SideName, int k, const FaceFlux&);
   // What really passed since reset_rim(), integrated over time, per unit width: [m2], [m3/s].
-  FaceFlux passed(SideName, int k) const;
-  void reset_rim();
+  FaceFlux passed(int zone, SideName, int k) const;
+  void reset_rim(int zone);
 
   // On a step of the StepBed the blocked flux at its faces, on elevation the bed's push (scheme/bed_push.hpp); friction on its
   // top is not in it.

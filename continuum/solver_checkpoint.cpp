@@ -1,4 +1,4 @@
-// The solver's state as bytes, in one fixed order: header, counters, cells, zone, sums.
+// The solver's state as bytes, in one fixed order: header, counters, cells, zones, sums.
 
 #include <stdexcept>
 
@@ -9,9 +9,7 @@
 namespace couloir {
 namespace {
 
-constexpr std::uint64_t signature = 0x34526c6f75636f63;  // changes with the layout
-
-constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
+constexpr std::uint64_t signature = 0x35526c6f75636f63;  // changes with the layout
 
 }  // namespace
 
@@ -31,9 +29,13 @@ std::vector<std::uint8_t> Solver::checkpoint() const {
     put(FlowState{s.now.h[c], s.now.hu[c], s.now.hv[c]});
     if (shares) put(s.passive_x[c]), put(s.passive_y[c]);
   });
-  put(m.zone.box());
-  for (SideName side : all_sides) {
-    for (int k = 0; k < m.zone.faces(side); ++k) put(m.zone.imposed(side, k)), put(m.zone.passed(side, k));
+  put(m.zones.ids());
+  for (int id = 0; id < m.zones.ids(); ++id) put(m.zones.zone(id).box());
+  for (int id = 0; id < m.zones.ids(); ++id) {
+    const CoveredZone& zone = m.zones.zone(id);
+    for (SideName side : all_sides) {
+      for (int k = 0; k < zone.faces(side); ++k) put(zone.imposed(side, k)), put(zone.passed(side, k));
+    }
   }
   for (const auto& impulse : m.impulse) put(impulse);
   put_gauges(put, m.gauges);
@@ -67,12 +69,17 @@ void Solver::restore(const std::vector<std::uint8_t>& bytes) {
     m.put_in(k, c, in.take<FlowState>());
     if (shares) s.passive_x[c] = in.take<double>(), s.passive_y[c] = in.take<double>();
   });
-  const CellBox box = in.take<CellBox>();
-  box.empty() ? m.uncover() : m.cover(box);
-  for (SideName side : all_sides) {
-    for (int k = 0; k < m.zone.faces(side); ++k) {
-      m.zone.impose(side, k, in.take<FaceFlux>());
-      m.zone.set_passed(side, k, in.take<FaceFlux>());
+  std::vector<CellBox> covered(in.take<int>());
+  for (CellBox& box : covered) box = in.take<CellBox>();
+  m.zones.become(covered);
+  m.lay_zones();
+  for (int id = 0; id < m.zones.ids(); ++id) {
+    CoveredZone& zone = m.zones.zone(id);
+    for (SideName side : all_sides) {
+      for (int k = 0; k < zone.faces(side); ++k) {
+        zone.impose(side, k, in.take<FaceFlux>());
+        zone.set_passed(side, k, in.take<FaceFlux>());
+      }
     }
   }
   for (auto& impulse : m.impulse) impulse = in.take<std::array<double, 2>>();

@@ -46,6 +46,7 @@ Solver::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface, con
       parameters(parameters_of(s)),
       mesh(s.grid, s.block, surface, bed, s.gravity, s.closure.curvature, s.refinement.levels()),
       scratch(s.threads),
+      zones(s.grid, s.sides),
       impulse(bed.obstacles.size()) {
   for (const StepObstacle& o : bed.obstacles) obstacle_boxes.push_back({o.x0, o.x1, o.y0, o.y1});
   if (!s.refinement.empty() || !s.ranks.alone()) {

@@ -1,7 +1,7 @@
 #pragma once
 // Inside the solver: the blocks, their states, and the order of a step.
 //
-//   solver_impl.cpp     blocks, gauges, boxes; cells by their place       solver_zone.cpp     the covered zone
+//   solver_impl.cpp     blocks, gauges, boxes; cells by their place       solver_zone.cpp     the covered zones
 //   solver_step.cpp     a step, level by level                            solver_refine.cpp   another mesh
 //   solver_errors.cpp   what ends a run, with its place                   solver_ranks.cpp    what the ranks tell each other
 //   solver_read.cpp     refined cells by their place
@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "continuum/boundary/covered_zone.hpp"
+#include "continuum/boundary/covered_zones.hpp"
 #include "continuum/boundary/ghosts.hpp"
 #include "continuum/halo.hpp"
 #include "continuum/mesh/forest.hpp"
@@ -66,7 +66,7 @@ struct Solver::Impl {
   bool run(int level, StageName, double dt);  // false: some depth fell below zero
   void go_back();                             // to the start of the step
   void collect_tallies();
-  void count_zone(double dt);
+  void count_zones(double dt);
   // These throw NumericsError, naming place and time.
   void check_finite() const;
   [[noreturn]] void fail_negative(double dt) const;
@@ -92,11 +92,10 @@ struct Solver::Impl {
   void take_from_parent(int block, const Block& parent, const BlockState& held);
   void take_from_children(int block, const Mesh& old, const std::vector<BlockState>& held);
 
-  // The covered zone.
-  void cover(const CellBox&);
-  void uncover();
+  // The covered zones.
+  void lay_zones();  // after zones have come, moved or gone
   void mark_open();
-  void lay_rim();
+  void lay_rims();
 
   void lay_gauge(int id);
   void lay_box(int id);
@@ -137,7 +136,7 @@ struct Solver::Impl {
   std::vector<char> owned;            // by this rank; empty: all are
   std::vector<char> changed;          // since all ranks had them
   Halo halo;
-  CoveredZone zone;
+  CoveredZones zones;
   std::vector<std::array<double, 2>> impulse;
   std::vector<std::array<double, 4>> obstacle_boxes;  // [m] x0, x1, y0, y1
   std::vector<Gauge> gauges;

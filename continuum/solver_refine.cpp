@@ -116,8 +116,9 @@ void Solver::Impl::wish_by_state(std::vector<Wish>& all) const {
     const auto& [x0, x1, y0, y1] = obstacle_boxes[o];
     if (near[o]) all.push_back({x0 - a.obstacle, x1 + a.obstacle, y0 - a.obstacle, y1 + a.obstacle, a.levels});
   }
-  const CellBox& z = zone.box();
-  if (a.zone && !z.empty()) {
+  for (int id = 0; a.zone && id < zones.ids(); ++id) {
+    const CellBox& z = zones.zone(id).box();
+    if (z.empty()) continue;
     const double x0 = g.x0 + z.i0 * g.dx, x1 = g.x0 + z.i1 * g.dx, y0 = g.y0 + z.j0 * g.dy, y1 = g.y0 + z.j1 * g.dy;
     for (double x : {x0, x1}) all.push_back({x - g.dx, x + g.dx, y0 - g.dy, y1 + g.dy, a.levels});
     for (double y : {y0, y1}) all.push_back({x0 - g.dx, x1 + g.dx, y - g.dy, y + g.dy, a.levels});
@@ -158,7 +159,7 @@ void Solver::Impl::become(const std::vector<Leaf>& leaves) {
   }
   deal();
   mark_open();
-  lay_rim();
+  lay_rims();
   for (std::size_t g = 0; g < gauges.size(); ++g) lay_gauge(static_cast<int>(g));
   for (std::size_t b = 0; b < boxes.size(); ++b) lay_box(static_cast<int>(b));
   rate.reset();

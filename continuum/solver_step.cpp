@@ -33,7 +33,7 @@ void Solver::Impl::step(double dt) {
   for (const BlockState& s : states) wet_before.push_back(s.wet);
   for (int halvings = 0;; ++halvings) {
     std::fill(touched.begin(), touched.end(), 0);
-    zone.limit(dt, std::ldexp(0.5, -halvings), [&](int i, int j) { return least_depth(i, j); });
+    zones.limit(dt, std::ldexp(0.5, -halvings), [&](int i, int j) { return least_depth(i, j); });
     if (advance(0, time, end, dt, 0)) break;
     if (halvings == most_halvings) share_tallies(), fail_negative(dt);
     go_back();
@@ -41,7 +41,7 @@ void Solver::Impl::step(double dt) {
     end = time + dt;
   }
   collect_tallies();
-  count_zone(dt);
+  count_zones(dt);
   time = end;
   ++steps;
   rate.reset();
@@ -140,7 +140,7 @@ void Solver::Impl::look_ahead(int level, double from, double to, double dt) {
     for (int m = 0; m < n; ++m) {
       const int k = beside[m];
       nobodys.reset(impulse.size(), gauges.size(), boxes.size());
-      kernels.run_stage(parameters, mesh.blocks()[k], faces[k], zone, {}, states[k], scratch[omp_get_thread_num()],
+      kernels.run_stage(parameters, mesh.blocks()[k], faces[k], zones, {}, states[k], scratch[omp_get_thread_num()],
                         StageName::predictor, dt, nobodys);
     }
   }
@@ -228,7 +228,7 @@ bool Solver::Impl::run(int level, StageName stage, double dt) {
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
   for (int k = 0; k < n; ++k) {
     const int b = l.own[k];
-    kernels.run_stage(parameters, mesh.blocks()[b], faces[b], zone, {&across[b], &across}, states[b],
+    kernels.run_stage(parameters, mesh.blocks()[b], faces[b], zones, {&across[b], &across}, states[b],
                       scratch[omp_get_thread_num()], stage, dt, tallies[b]);
   }
   std::vector<char> flags;

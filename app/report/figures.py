@@ -69,8 +69,7 @@ def draw_depth(axes, run, frame, top, box):
                         interpolation="nearest")
     if np.any(h > wet) and min(h.shape) > 1:
         axes.contour(x * MM, y * MM, h, levels=[wet], colors=[style.INK], linewidths=0.8)
-    if frame.zone is not None:
-        a, b, c, d = frame.zone * MM
+    for a, b, c, d in frame.zones * MM:
         axes.add_patch(Rectangle((a, c), b - a, d - c, fill=False, edgecolor=style.RED, linewidth=1.4, linestyle="--", zorder=5))
     draw_obstacles_from_above(axes, run)
     style.plain_map(axes)
@@ -146,8 +145,9 @@ def side_box(run, frames):
         return 0.0, box[0], box[1], top
     o = next(iter(run.obstacles.values()))
     top = max(top, 1.5 * o["height"])
-    zone = next((f.zone for f in reversed(frames) if f.zone is not None), None)
-    if zone is not None:
+    held = [z for f in reversed(frames) for z in f.zones if z[0] <= o["x"] <= z[1] and z[2] <= o["y"] <= z[3]]
+    if held:
+        zone = held[0]
         margin = 0.15 * (zone[1] - zone[0])
         return o["y"], zone[0] - margin, zone[1] + margin, top
     reach = 5 * max(o["height"], o["length"])

@@ -41,9 +41,9 @@ class Frame:
             yield level, i0, j0, values[first[k]:first[k + 1]].reshape(ny, nx)
 
     @property
-    def zone(self):
-        """(x from, x to, y from, y to) [m] that the grains hold, or None."""
-        return self.group["zone"][()] if "zone" in self.group else None
+    def zones(self):
+        """[n, 4]: x from, x to, y from, y to [m] of each rectangle that grains hold."""
+        return self.group["zones"][()] if "zones" in self.group else np.zeros((0, 4))
 
     def grains(self):
         """dict of s, y, n (along, across, above the surface) [m], radius [m], speed [m/s], driven; or None."""

@@ -3,19 +3,6 @@
 #include <stdexcept>
 
 namespace couloir {
-namespace {
-
-constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
-
-bool is_low(SideName side) {
-  return side == SideName::upstream || side == SideName::left;
-}
-bool across_x(SideName side) {
-  return side == SideName::upstream || side == SideName::downstream;
-}
-
-}  // namespace
-
 CoveredZone::CoveredZone(const CellBox& box, const Grid& grid) : box_(box), dx_(grid.dx), dy_(grid.dy) {
   if (box.empty() || box.i0 < 0 || box.j0 < 0 || box.i1 > grid.nx || box.j1 > grid.ny) {
     throw std::invalid_argument("The covered zone must hold at least one cell and lie inside the grid; move or shrink the zone.");
@@ -23,7 +10,7 @@ CoveredZone::CoveredZone(const CellBox& box, const Grid& grid) : box_(box), dx_(
   const bool inside[] = {box.i0 > 0, box.i1<grid.nx, box.j0> 0, box.j1 < grid.ny};
   for (SideName side : all_sides) {
     Rim& r = rim(side);
-    const int n = across_x(side) ? box.j1 - box.j0 : box.i1 - box.i0;
+    const int n = is_across_x(side) ? box.j1 - box.j0 : box.i1 - box.i0;
     r.inside_domain = inside[static_cast<int>(side)];
     r.imposed.resize(n), r.actual.resize(n), r.passed.resize(n);
   }
@@ -62,14 +49,16 @@ void CoveredZone::reset_passed() {
   for (Rim& r : rims_) r.passed.assign(r.passed.size(), {});
 }
 
-void CoveredZone::limit(double dt, double share, const std::function<double(int i, int j)>& depth) {
+void CoveredZone::limit(double dt, double share, const std::function<double(int i, int j)>& depth,
+                        const std::function<double(SideName, int i, int j)>& also_drawn) {
   for (SideName side : all_sides) {
     Rim& r = rim(side);
     for (std::size_t k = 0; r.inside_domain && k < r.imposed.size(); ++k) {
       const FaceFlux& f = r.imposed[k];
       const Neighbour n = neighbour(side, static_cast<int>(k));
-      const double taken = dt * (is_low(side) ? f.mass : -f.mass);
-      const double most = share * depth(n.i, n.j) * (across_x(side) ? dx_ : dy_);
+      const double own = dt * (is_low(side) ? f.mass : -f.mass);
+      const double taken = own > 0 ? own + dt * also_drawn(side, n.i, n.j) : own;
+      const double most = share * depth(n.i, n.j) * (is_across_x(side) ? dx_ : dy_);
       const double scale = taken > most ? most / taken : 1.0;
       r.actual[k] = {f.mass * scale, f.mom_x * scale, f.mom_y * scale};
     }

@@ -1,5 +1,5 @@
 #pragma once
-// The covered zone: a box of cells whose material is not the solver's, and the imposed exchange through the faces of its rim.
+// A covered zone: a box of cells whose material is not the solver's, and the imposed exchange through the faces of its rim.
 // A zone edge that lies on the domain's side has no rim there.
 
 #include <array>
@@ -36,8 +36,9 @@ class CoveredZone {
   void reset_passed();
 
   // Scales each imposed flux, mass and momentum together, so that in dt it takes no more than this share of what the cell
-  // outside holds; to be called once before both stages of a step.
-  void limit(double dt, double share, const std::function<double(int i, int j)>& depth);
+  // outside holds, together with what also_drawn [m2/s] says that another zone draws through its opposite face.
+  void limit(double dt, double share, const std::function<double(int i, int j)>& depth,
+             const std::function<double(SideName, int i, int j)>& also_drawn);
   // The flux that really passes in this step.
   const FaceFlux& actual(SideName, int k) const;
   // Adds dt times the actual flux to passed().

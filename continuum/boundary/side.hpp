@@ -7,6 +7,17 @@
 namespace couloir {
 
 enum class SideName { upstream = 0, downstream = 1, left = 2, right = 3 };
+inline constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
+
+constexpr bool is_low(SideName side) {
+  return side == SideName::upstream || side == SideName::left;
+}
+constexpr bool is_across_x(SideName side) {  // its normal is along x
+  return side == SideName::upstream || side == SideName::downstream;
+}
+constexpr SideName opposite(SideName side) {
+  return static_cast<SideName>(static_cast<int>(side) ^ 1);
+}
 
 struct InflowPoint {
   double time = 0;      // [s]

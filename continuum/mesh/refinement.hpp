@@ -13,14 +13,14 @@ struct RefineBox {
 };
 
 // Finest cells where the flow asks for them. A block is refined by any of these; it is coarsened when front and gradient hold at
-// half of their bounds no more. Obstacles and the zone's rim stand still: those two have one bound.
+// half of their bounds no more. Obstacles and rims do not flow: those two have one bound.
 struct Adaptive {
   int levels = 0;         // how often the cells may be halved; 0: not adaptive
   int interval = 8;       // steps of the coarsest cells between two looks
   bool front = true;      // where the flow ends ahead: from 1 % of the greatest depth to less
   double gradient = 0.1;  // where the surface changes between neighbouring cells by this share of the greatest depth; 0: never
   double obstacle = 0;    // [m] about obstacles, once the flow is as near; 0: never
-  bool zone = true;       // along the rim of the covered zone
+  bool zone = true;       // along the rims of covered zones
 };
 
 struct Refinement {

@@ -18,7 +18,7 @@ bool along_x(SideName side) {
 
 // Towards the edge is along +axis (1) or against it (-1). The slope lies outside of the rim, a plane inside of its own sides.
 double direction(const PlaneSide& s) {
-  return PlaneFlow::is_low(s.side) == (s.plane == PlaneName::slope) ? 1 : -1;
+  return is_low(s.side) == (s.plane == PlaneName::slope) ? 1 : -1;
 }
 
 // The axes (0, 1, 2: x, y, z) across and along the edge.
@@ -60,7 +60,7 @@ void PlanesModel::Impl::impose(const PlaneSide& s, int k, double mass_out, doubl
   const double sign = direction(s), mass = sign * mass_out, along = sign * along_out;
   const FaceFlux f = along_x(s.side) ? FaceFlux{mass, normal, along} : FaceFlux{mass, along, normal};
   if (s.plane == PlaneName::slope) {
-    slope.impose(s.side, k, f);
+    slope.impose(hole, s.side, k, f);
   } else {
     plane(s.plane).impose(s.side, k, f);
   }
@@ -82,7 +82,7 @@ double PlanesModel::Impl::stable_dt() {
 void PlanesModel::Impl::step(double dt) {
   dt = std::min(dt, stable_dt());
   find_fluxes(dt);
-  slope.reset_rim();
+  slope.reset_rim(hole);
   const double start = slope.time(), front_before = plane(PlaneName::front).volume();
   slope.step(dt);
   dt = slope.time() - start;  // a step that would overdraw a cell of the slope was shorter
@@ -143,7 +143,7 @@ void PlanesModel::Impl::take_passed(double dt) {
       EdgeFlux& f = flux[n][k];
       const double shed_mass = shed_at(e, k).mass, asked = f.mass - shed_mass;
       if (!(asked > 0)) continue;
-      const double given = direction(e.one) * slope.passed(e.one.side, k).mass / dt;
+      const double given = direction(e.one) * slope.passed(hole, e.one.side, k).mass / dt;
       const double of_slope = given / asked, of_plane = (given + shed_mass) / f.mass;
       f = {given + shed_mass, f.along * of_plane, f.normal_1 * of_slope, f.normal_2 * of_plane};
       impose(e.two, k, -f.mass, -f.along, f.normal_2);

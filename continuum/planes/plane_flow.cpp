@@ -11,8 +11,6 @@
 namespace couloir {
 namespace {
 
-constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
-
 Parameters parameters_of(const PlaneSettings& s) {
   Parameters p{s.closure, s.limiter, {}, s.dry_depth, {}};
   if (s.foot) p.sides[0].kind = Side::Kind::wall;

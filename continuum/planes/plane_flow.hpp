@@ -73,7 +73,6 @@ class PlaneFlow {
   void restore(ByteReader&);
 
   static bool is_a(SideName side) { return side == SideName::upstream || side == SideName::downstream; }
-  static bool is_low(SideName side) { return side == SideName::upstream || side == SideName::left; }
 
  private:
   void fill_ghosts();

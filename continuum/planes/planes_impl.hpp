@@ -38,6 +38,7 @@ struct PlanesModel::Impl {
   int cuboid;
   double eta, dry_depth;
   Solver slope;
+  int hole = -1;                                  // the covered zone under the cuboid
   std::array<std::vector<double>, 4> rim_weight;  // [m/s2] g cos(zeta) at the rim's faces, by SideName
   std::vector<PlaneFlow> planes;                  // by PlaneName
   std::vector<PlaneEdge> edges;

@@ -78,7 +78,7 @@ PlanesModel::Impl::Impl(const SolverSettings& s, const ReferenceSurface& surface
   }
   edges = cuboid_edges(cells, has_rim);
   for (const PlaneEdge& e : edges) flux.emplace_back(e.faces);
-  slope.cover(box);
+  hole = slope.cover(box);
 }
 
 PlanesModel::PlanesModel(const SolverSettings& s, const ReferenceSurface& surface, const StepBed& bed, int cuboid, double eta)

@@ -9,14 +9,14 @@ namespace couloir {
 struct Budget {
   double mass_boundary = 0;         // [m3] through the domain's sides
   double mass_inflow = 0;           // [m3] its part through inflow sides
-  double mass_zone = 0;             // [m3] through the faces of the covered zone
+  double mass_zone = 0;             // [m3] through the faces of the covered zones
   double mass_copied = 0;           // [m3] by copying refined patches into the grids below them
   double mass_clipped = 0;          // [m3] created by removing negative depths; 0 unless something is wrong
   std::array<double, 2> gravity{};  // [m4/s] downslope weight and bed slope
   std::array<double, 2> friction{};
   std::array<double, 2> boundary{};              // momentum and pressure through the domain's sides
   std::array<std::array<double, 2>, 4> sides{};  // the same by SideName; what a wall gives to the flow
-  std::array<double, 2> zone{};                  // through the faces of the covered zone
+  std::array<double, 2> zone{};                  // through the faces of the covered zones
   std::array<double, 2> obstacles{};             // from obstacles, steps and elevation, all together
   std::array<double, 2> copied{};                // by copying refined patches
   std::array<double, 2> cutoff{};                // momentum dropped where the depth is below dry_depth

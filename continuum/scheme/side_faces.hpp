@@ -3,7 +3,7 @@
 // nothing enters; through an inflow side comes the depth times velocity that is given, whatever the flow inside does; periodic
 // sides take the flux between the cells on both sides.
 
-#include "continuum/boundary/covered_zone.hpp"
+#include "continuum/boundary/covered_zones.hpp"
 #include "continuum/mesh/block.hpp"
 #include "continuum/scheme/axis.hpp"
 #include "continuum/scheme/parameters.hpp"
@@ -17,15 +17,16 @@ void side_fluxes(const Parameters&, const Block&, const Axis&, const FaceValues&
 // Books what passes; share: what this stage counts in the step, times dt [s].
 void count_sides(const Parameters&, const Block&, const BlockState&, const Axis&, double share, Tally&);
 
-// A face of the covered zone's rim that this block's fluxes meet.
+// A face of a covered zone's rim that this block's fluxes meet.
 struct RimFace {
   int face;
   bool along_x;  // the axis across the face
+  int zone;      // its id
   SideName side;
   int k;
 };
 
-// Replaces the fluxes through the rim by what the zone imposes.
-void rim_fluxes(const std::vector<RimFace>&, const CoveredZone&, const Axis&);
+// Replaces the fluxes through the rims by what the zones impose.
+void rim_fluxes(const std::vector<RimFace>&, const CoveredZones&, const Axis&);
 
 }  // namespace couloir

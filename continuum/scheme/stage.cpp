@@ -15,7 +15,7 @@
 namespace couloir {
 namespace {
 
-void fluxes_along(const Axis& axis, const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone,
+void fluxes_along(const Axis& axis, const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZones& zones,
                   AcrossLevels across, const BlockState& s, Scratch& w) {
   find_shocks(p, b, axis, s.now, w.smooth);
   if (with_relief(b)) flatten_at_feet(b, axis, s.now, w.smooth);
@@ -25,7 +25,7 @@ void fluxes_along(const Axis& axis, const Parameters& p, const Block& b, const B
   step_face_fluxes(p, faces.steps, b, w, axis, w.values);
   side_fluxes(p, b, axis, w.values);
   if (across.from_finer) take_from_finer(faces.taken, b, axis, w.values, *across.from_finer);
-  rim_fluxes(faces.rim, zone, axis);
+  rim_fluxes(faces.rim, zones, axis);
   if (across.to_coarser) give_to_coarser(faces.given, b, axis, w.values, *across.to_coarser);
   if (with_relief(b)) bed_source(b, axis, w.values);
 }
@@ -42,7 +42,7 @@ void count_gauges(const BlockFaces& faces, const Block& b, const BlockState& s, 
 
 }  // namespace
 
-void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZone& zone, AcrossLevels across,
+void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, const CoveredZones& zones, AcrossLevels across,
                BlockState& s, Scratch& w, StageName stage, double dt, Tally& t) {
   const EarthPressure& closure = p.closure.earth_pressure;
   const Axis x = Axis::x(b, s, w, closure), y = Axis::y(b, s, w, closure);
@@ -53,7 +53,7 @@ void run_stage(const Parameters& p, const Block& b, const BlockFaces& faces, con
   w.one_flux = !with_relief(b) && faces.steps.x.empty() && faces.steps.y.empty() && faces.boxes.empty() && !from_finer &&
                !w.locked && s.all_open;
   for (const Axis& axis : {x, y}) {
-    fluxes_along(axis, p, b, faces, zone, across, s, w);
+    fluxes_along(axis, p, b, faces, zones, across, s, w);
     count_sides(p, b, s, axis, 0.5 * dt, t);
     count_step_faces(faces.steps, b, s, axis, 0.5 * dt, t);
     if (with_relief(b)) count_bed_push(faces.pushed, b, s, axis, 0.5 * dt, t);

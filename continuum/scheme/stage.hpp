@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "continuum/boundary/covered_zone.hpp"
+#include "continuum/boundary/covered_zones.hpp"
 #include "continuum/scheme/bed_push.hpp"
 #include "continuum/scheme/control_box.hpp"
 #include "continuum/scheme/level_faces.hpp"
@@ -36,7 +36,7 @@ struct AcrossLevels {
   std::vector<LevelFluxes>* to_coarser = nullptr;
 };
 
-void run_stage(const Parameters&, const Block&, const BlockFaces&, const CoveredZone&, AcrossLevels, BlockState&, Scratch&,
+void run_stage(const Parameters&, const Block&, const BlockFaces&, const CoveredZones&, AcrossLevels, BlockState&, Scratch&,
                StageName, double dt, Tally&);
 
 // Carries the earth pressure's shares on over the time since the last step [s]; returns the fastest rate at which a signal then

@@ -36,6 +36,11 @@ std::vector<std::uint8_t> bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+// Whether a file is one of the engines' of a checkpoint; `first`: the first engine's.
+bool of_engine(const fs::path& file, const std::string& first) {
+  return file.string() == first || file.string().starts_with(first + ".");
+}
+
 }  // namespace
 
 CheckpointFolder::CheckpointFolder(std::string path) : path_(std::move(path)) {
@@ -58,8 +63,8 @@ bool CheckpointFolder::lock() {
   return false;
 }
 
-std::string CheckpointFolder::engine_file(std::int64_t number) const {
-  return path_ + "/engine." + std::to_string(number);
+std::string CheckpointFolder::engine_file(std::int64_t number, int engine) const {
+  return path_ + "/engine." + std::to_string(number) + (engine > 0 ? "." + std::to_string(engine) : "");
 }
 
 std::string CheckpointFolder::journal(const std::string& path, std::int64_t number) {
@@ -67,8 +72,9 @@ std::string CheckpointFolder::journal(const std::string& path, std::int64_t numb
 }
 
 void CheckpointFolder::commit(Checkpoint& checkpoint) {
-  for (const std::string& file : {engine_file(checkpoint.number), engine_file(checkpoint.number) + ".drive"})
-    if (fs::exists(file)) sync_file(file);
+  const std::string engine = engine_file(checkpoint.number);
+  for (const auto& entry : fs::directory_iterator(path_))
+    if (of_engine(entry.path(), engine)) sync_file(entry.path());
   Archive body;
   fields(body, checkpoint);
   std::string form = format;
@@ -81,12 +87,11 @@ void CheckpointFolder::commit(Checkpoint& checkpoint) {
 }
 
 void CheckpointFolder::remove_others(std::int64_t number) const {
-  const std::string engine = fs::path(engine_file(number)).filename(), undo = fs::path(journal(path_, number)).filename();
+  const std::string engine = engine_file(number), undo = fs::path(journal(path_, number)).filename();
   std::vector<fs::path> others;
   for (const auto& entry : fs::directory_iterator(path_)) {
     const std::string name = entry.path().filename();
-    if (name != "state" && name != "lock" && name != engine && name != engine + ".drive" && name != undo)
-      others.push_back(entry.path());
+    if (name != "state" && name != "lock" && !of_engine(entry.path(), engine) && name != undo) others.push_back(entry.path());
   }
   std::error_code ignored;
   for (const fs::path& path : others) fs::remove(path, ignored);

@@ -2,7 +2,7 @@
 // RUN/checkpoint: the last whole checkpoint of a run.
 //
 //   state              which one it is, what made it, the scene, and all but the engine's part
-//   engine.<n>*        the grain engine's own files (its port's checkpoint)
+//   engine.<n>*        the grain engines' own files (their port's checkpoint), of the second one engine.<n>.1 and so on
 //   records.<n>.undo   what records.h5 held before what was written into it since (records/undo_journal.hpp)
 //   lock               held by the process that runs
 //
@@ -34,7 +34,7 @@ class CheckpointFolder {
   // False where another process holds it. Given back when the object, or the process, ends.
   bool lock();
 
-  std::string engine_file(std::int64_t number) const;
+  std::string engine_file(std::int64_t number, int engine = 0) const;
   // The engine's files of this number must be there. Throws CheckpointError; the checkpoint before is then still whole.
   void commit(Checkpoint&);
   void clear();  // the run is done: nothing to go on from

@@ -112,8 +112,9 @@ int FlowSide::add_gauge(const ObstacleSpec& o) {
   return model_->add_gauge(std::clamp(i, 0, grid.nx), j0, j1);
 }
 
-const std::vector<ForceMeasure>& FlowSide::measure(const Scene& scene, const ReferenceSurface& surface, const CellBox& zone) {
-  measures_.emplace(scene, surface, *model_, zone);
+const std::vector<ForceMeasure>& FlowSide::measure(const Scene& scene, const ReferenceSurface& surface,
+                                                   const std::vector<CellBox>& zones) {
+  measures_.emplace(scene, surface, *model_, zones);
   return measures_->list();
 }
 
@@ -205,7 +206,6 @@ FrameView FlowSide::frame() {
   view.h = &h_;
   view.hu = &hu_;
   view.hv = &hv_;
-  if (solver_) view.zone = solver_->covered();
   if (!blocks_.places.empty()) view.blocks = &blocks_;
   if (planes_) {
     gather_planes();

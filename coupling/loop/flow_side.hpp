@@ -28,8 +28,8 @@ class FlowSide {
   void advance_to(double t);           // [s]; counts CPU
   double cpu() const { return cpu_; }  // [s]
 
-  // Takes up the other measures of force; zone: the cells that will be covered, may be empty. report() then fills them in.
-  const std::vector<ForceMeasure>& measure(const Scene&, const ReferenceSurface&, const CellBox& zone);
+  // Takes up the other measures of force; zones: the cells that will be covered. report() then fills them in.
+  const std::vector<ForceMeasure>& measure(const Scene&, const ReferenceSurface&, const std::vector<CellBox>& zones);
 
   // Ledger entries of the solver since the last call: mass state, momentum terms, counters.
   void report(WindowReport&);

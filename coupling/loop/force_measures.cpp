@@ -34,6 +34,10 @@ bool alone(const Scene& scene, std::size_t n, const CellBox& box, const Grid& g)
   return true;
 }
 
+bool meets_any(const CellBox& box, const std::vector<CellBox>& zones) {
+  return std::ranges::any_of(zones, [&](const CellBox& zone) { return meet(box, zone); });
+}
+
 }  // namespace
 
 std::vector<ForceMeasure> wall_measures(const Scene& scene) {
@@ -44,16 +48,17 @@ std::vector<ForceMeasure> wall_measures(const Scene& scene) {
   return list;
 }
 
-ForceMeasures::ForceMeasures(const Scene& scene, const ReferenceSurface& surface, FlowModel& solver, const CellBox& zone)
+ForceMeasures::ForceMeasures(const Scene& scene, const ReferenceSurface& surface, FlowModel& solver,
+                             const std::vector<CellBox>& zones)
     : density_(scene.material.density) {
   for (std::size_t n = 0; n < scene.obstacles.size(); ++n) {
     const CellBox box = cells_around(scene.obstacles[n], solver.grid(), margin);
-    if (meet(box, zone) || !alone(scene, n, box, solver.grid())) continue;
+    if (meets_any(box, zones) || !alone(scene, n, box, solver.grid())) continue;
     const int id = solver.add_control_box(box);
     list_.push_back({scene.obstacles[n].name, "control_volume"});
     boxes_.push_back({id});
   }
-  add_elevation(scene, surface, solver, zone);
+  add_elevation(scene, surface, solver, zones);
   for (const ForceMeasure& wall : wall_measures(scene)) {
     list_.push_back(wall);
     walls_.push_back(static_cast<int>(std::ranges::find(side_names, wall.of) - side_names.begin()));
@@ -62,12 +67,12 @@ ForceMeasures::ForceMeasures(const Scene& scene, const ReferenceSurface& surface
 
 // The slopes are means over each cell, so that their sum over a face is its height wherever the cells' edges lie.
 void ForceMeasures::add_elevation(const Scene& scene, const ReferenceSurface& surface, const FlowModel& solver,
-                                  const CellBox& zone) {
+                                  const std::vector<CellBox>& zones) {
   const Grid& g = solver.grid();
   const Elevation smooth = elevation(scene);
   for (const ElevationBody& body : smooth.bodies()) {
     const CellBox box = cells_around(scene.obstacles[body.obstacle()], g, 1);
-    if (meet(box, zone)) continue;
+    if (meets_any(box, zones)) continue;
     Sum all, front;
     for (int j = box.j0; j < box.j1; ++j) {
       for (int i = box.i0; i < box.i1; ++i) {

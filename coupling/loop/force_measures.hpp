@@ -29,8 +29,8 @@ std::vector<ForceMeasure> wall_measures(const Scene&);
 
 class ForceMeasures {
  public:
-  // From the solver's present state on; zone: cells that will be covered, may be empty.
-  ForceMeasures(const Scene&, const ReferenceSurface&, FlowModel&, const CellBox& zone);
+  // From the solver's present state on; zones: cells that will be covered.
+  ForceMeasures(const Scene&, const ReferenceSurface&, FlowModel&, const std::vector<CellBox>& zones);
 
   const std::vector<ForceMeasure>& list() const { return list_; }
   // Mean [N] since the last call, `window` [s] ago; (x, y), as list(). Walls are read from the solver's budget, so it must have
@@ -53,7 +53,7 @@ class ForceMeasures {
     std::array<double, 2> now(const FlowModel&) const;
     void state(Archive& a) { a(before); }
   };
-  void add_elevation(const Scene&, const ReferenceSurface&, const FlowModel&, const CellBox& zone);
+  void add_elevation(const Scene&, const ReferenceSurface&, const FlowModel&, const std::vector<CellBox>& zones);
 
   double density_;
   std::vector<ForceMeasure> list_;  // boxes, sums, walls

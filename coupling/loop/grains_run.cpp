@@ -35,7 +35,7 @@ class GrainsRun : public ModeRun {
     const double across = (domain.walls[2] + domain.walls[3]) * d / (2 * half);
     const double depth = (1 + along + across) * deepest;
     side_ = std::make_unique<GrainSide>(scene_, options_, surface_, depth, [this](const std::string& what) { tell(0, what); });
-    gauges_ = stress_gauges(scene_, nullptr);
+    gauges_ = stress_gauges(scene_, {});
     if (!resuming()) side_->start(setup(), gauges_);
     clock_ = std::make_unique<Clock>(side_->timestep(), scene_.grains.window, scene_.duration);
     grid_ = solver_settings(scene_).grid;
@@ -153,11 +153,11 @@ class GrainsRun : public ModeRun {
 
   EngineSetup setup() const { return engine_setup_whole(scene_, surface_, side_->table().grain_density(), options_.work_dir); }
 
-  GrainEngine* engine() override { return &side_->port(); }
+  std::vector<GrainEngine*> engines() override { return {&side_->port()}; }
 
   void state(Archive& a) override {
     a(*side_, *edge_, book_, request_.insert, request_.remove, initial_mass_, mass_, momentum_before_, inserted_);
-    if (a.loading()) side_->restore(setup(), gauges_, engine_checkpoint());
+    if (a.loading()) side_->restore(setup(), gauges_, engine_checkpoint(0));
   }
 
   void finish(RunEnd& end) override {

@@ -1,5 +1,6 @@
 #include "coupling/loop/mode_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <exception>
@@ -95,10 +96,17 @@ bool ModeRun::due(double time) {
   return now[0] != 0;
 }
 
+bool ModeRun::any_engine() {
+  const auto all = engines();
+  return std::any_of(all.begin(), all.end(), [](const GrainEngine* e) { return e != nullptr; });
+}
+
 void ModeRun::keep(double time) {
   const std::int64_t number = number_ + 1;
   try {
-    if (folder_ && engine()) engine()->checkpoint(folder_->engine_file(number));
+    const auto all = engines();
+    for (int k = 0; folder_ && k < int(all.size()); ++k)
+      if (all[k]) all[k]->checkpoint(folder_->engine_file(number, k));
   } catch (const EngineReport& report) {  // it is well but for that
     throw CheckpointError(first_line(report.what()));
   }
@@ -137,7 +145,7 @@ void ModeRun::windows(RunEnd& result) {
       result.status = "interrupted";
       result.reason = "stopped by the user at t = " + std::to_string(report.time) + " s";
       // With an engine the last checkpoint has to do: another one here would be another run from here on.
-      if (keeps() && !engine() && kept_ < report.time) keep(report.time);
+      if (keeps() && !any_engine() && kept_ < report.time) keep(report.time);
       return;
     }
   }

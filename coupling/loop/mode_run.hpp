@@ -34,12 +34,13 @@ class ModeRun {
   virtual RunStart start() = 0;  // builds what the mode needs; the clock too. No engine where resuming()
   virtual void window(std::int64_t index, WindowReport&) = 0;
   virtual FrameView frame() = 0;
-  virtual void state(Archive&) = 0;                  // between two windows. Loading: after start(); restores the engine, too
-  virtual GrainEngine* engine() { return nullptr; }  // that runs
+  virtual void state(Archive&) = 0;  // between two windows. Loading: after start(); restores the engine, too
+  virtual std::vector<GrainEngine*> engines() { return {}; }  // by number, null where one does not run
+  bool any_engine();
   virtual void finish(RunEnd&) = 0;
 
   bool resuming() const { return resuming_; }
-  std::string engine_checkpoint() const { return folder_->engine_file(number_); }
+  std::string engine_checkpoint(int engine) const { return folder_->engine_file(number_, engine); }
 
   void tell(const Event&);  // what comes before the start is told right after it
   void tell(double time, std::string what) { tell(Event{time, std::move(what)}); }

@@ -128,7 +128,7 @@ struct FrameView {
   long index = 0;
   const std::vector<double>*h = nullptr, *hu = nullptr,
         *hv = nullptr;                             // coarsest cells, coarse-grained in the zone; null in grains mode
-  CellBox zone;                                    // empty: no zone
+  std::vector<CellBox> zones;                      // that grains hold now
   const BlocksView* blocks = nullptr;              // null: all cells are of one size
   const std::vector<PlaneView>* planes = nullptr;  // null: none
   const Grains* grains = nullptr;                  // null: none; positions in the tilted frame

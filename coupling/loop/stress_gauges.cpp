@@ -4,12 +4,12 @@
 
 namespace couloir {
 
-std::vector<StressGauge> stress_gauges(const Scene& scene, const ZoneBox* zone) {
+std::vector<StressGauge> stress_gauges(const Scene& scene, const std::vector<PlannedZone>& zones) {
   std::vector<StressGauge> read;
   if (scene.mode == Mode::continuum) return read;
   for (const StressGaugeSpec& g : scene.stress_gauges) {
     const ObstacleSpec& o = scene.obstacles[std::size_t(g.obstacle)];
-    if (!zone || zone->holds(o)) read.push_back({g.obstacle, o.name, g.name, gauge_area(g)});
+    if (scene.mode == Mode::grains || any_holds(zones, o)) read.push_back({g.obstacle, o.name, g.name, gauge_area(g)});
   }
   return read;
 }

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "coupling/loop/observer.hpp"
+#include "coupling/plan/zone.hpp"
 #include "coupling/scene/scene.hpp"
 
 namespace couloir {
 
-// Those on obstacles that grains meet, in the scene's order: in mode grains all, in mode coupled those that the zone holds, in
+// Those on obstacles that grains meet, in the scene's order: in mode grains all, in mode coupled those that a zone holds, in
 // mode continuum none.
-std::vector<StressGauge> stress_gauges(const Scene&, const ZoneBox* zone);
+std::vector<StressGauge> stress_gauges(const Scene&, const std::vector<PlannedZone>& zones);
 
 // As the engine's surface is called.
 std::string surface_of(const StressGauge&);

@@ -11,9 +11,15 @@
 
 namespace couloir {
 
-ZoneSide::ZoneSide(const Scene& scene, const RunOptions& options, const ReferenceSurface& surface, FlowSide& flow,
-                   const PlannedZone& planned, double deepest, Tell tell)
-    : scene_(scene), options_(options), surface_(surface), flow_(flow), planned_(planned), tell_(std::move(tell)) {
+ZoneSide::ZoneSide(const Scene& scene, const RunOptions& options, const std::string& work_dir, const ReferenceSurface& surface,
+                   FlowSide& flow, const PlannedZone& planned, double deepest, Tell tell)
+    : scene_(scene),
+      options_(options),
+      surface_(surface),
+      flow_(flow),
+      planned_(planned),
+      tell_(std::move(tell)),
+      work_dir_(work_dir) {
   grains_ = std::make_unique<GrainSide>(scene, options, surface, deepest, [this](const std::string& what) { tell_(0, what); });
   watch_ = std::make_unique<ZoneWatch>(planned.lines, scene.grains.diameter, scene.gravity);
   const CellBox widest = watch_->widest();
@@ -22,7 +28,7 @@ ZoneSide::ZoneSide(const Scene& scene, const RunOptions& options, const Referenc
   std::array<bool, 4> open{};
   for (int q = 0; q < 4; ++q) open[q] = touches[q] && scene.sides[q].open();
   edge_ = std::make_unique<DomainEdge>(open, scene.terrain.total_length(), scene.terrain.width, grains_->table().grain_density());
-  gauges_ = stress_gauges(scene, &planned.box);
+  gauges_ = stress_gauges(scene, {planned});
 }
 
 ZoneSettings ZoneSide::settings() const {
@@ -41,7 +47,7 @@ std::unique_ptr<Zone> ZoneSide::new_zone() const {
 }
 
 EngineSetup ZoneSide::setup() const {
-  return engine_setup_zone(scene_, surface_, planned_, zone_->rim(), grains_->table().grain_density(), options_.work_dir);
+  return engine_setup_zone(scene_, surface_, planned_, zone_->rim(), grains_->table().grain_density(), work_dir_);
 }
 
 // The flow is near when a cell within reach of the zone is wet: what it covers in two windows, and two cells.
@@ -72,7 +78,7 @@ void ZoneSide::begin_window(double time, std::int64_t steps, double length) {
 }
 
 void ZoneSide::follow() {
-  switch (watch_->calm(*zone_, grains_->last().grains, length_)) {
+  switch (watch_->calm(*zone_, zone_->flow_comes(flow_.solver()), grains_->last().grains, length_)) {
     case ZoneWatch::Calm::resting:
       return rest();
     case ZoneWatch::Calm::empty:
@@ -100,10 +106,7 @@ void ZoneSide::move(const ZoneWatch::Move& wanted) {
   watch_->take(wanted);
   auto next = new_zone();
   Solver& solver = flow_.solver();
-  const auto moved = next->take_from(*zone_, grains_->last().grains, solver, [&] {
-    solver.uncover();
-    solver.cover(watch_->box());
-  });
+  const auto moved = next->take_from(*zone_, grains_->last().grains, solver);
   zone_ = std::move(next);
   jumped_ = true;
   const ZoneBox box = box_of(watch_->box(), solver.grid());
@@ -116,7 +119,7 @@ void ZoneSide::move(const ZoneWatch::Move& wanted) {
 
 void ZoneSide::rest() {
   grains_->rest();
-  zone_->lay_down(grains_->last().grains, flow_.solver());
+  zone_->rest(grains_->last().grains, flow_.solver());
   jumped_ = true;
   tell_(time_,
         fmt::format("grains rest: no flow comes in and {} grains, {:.4g} kg, lie still; they are deposit from now on and the "
@@ -128,6 +131,7 @@ void ZoneSide::wake() {
   const Grains& g = grains_->last().grains;
   first_.clear();
   for (std::size_t i = 0; i < g.size(); ++i) first_.push_back({g.id[i], {g.x[i], g.y[i], g.z[i]}, {}, g.radius[i]});
+  zone_->wake();
   grains_->start(setup(), gauges_);
   jumped_ = true;
   tell_(time_,
@@ -135,14 +139,11 @@ void ZoneSide::wake() {
 }
 
 void ZoneSide::end() {
-  Solver& solver = flow_.solver();
   left_over_ += zone_->faces_mass();
   inserted_ += zone_->inserted();
   returned_ += zone_->returned();
   next_id_ = zone_->next_id();
-  for (int j = watch_->box().j0; j < watch_->box().j1; ++j)
-    for (int i = watch_->box().i0; i < watch_->box().i1; ++i) solver.set_covered(i, j, {});
-  solver.uncover();
+  zone_->give_up(flow_.solver());
   grains_->rest();
   zone_.reset();
   mass_ = momentum_ = 0;
@@ -152,13 +153,23 @@ void ZoneSide::end() {
                     left_over_));
 }
 
-void ZoneSide::advance() {
+void ZoneSide::ask() {
   if (!zone_) return;
-  if (!grains_->running()) return grains_->stay(steps_);
-  AdvanceRequest request = zone_->request(flow_.solver());
-  request.insert.insert(request.insert.begin(), first_.begin(), first_.end());
+  if (!grains_->running()) {
+    zone_->count_passed(flow_.solver());
+    return grains_->stay(steps_);
+  }
+  request_ = zone_->request(flow_.solver());
+  request_.insert.insert(request_.insert.begin(), first_.begin(), first_.end());
   first_.clear();
-  grains_->advance(request);
+}
+
+void ZoneSide::advance() {
+  if (engine()) grains_->advance(request_);
+}
+
+void ZoneSide::take_back() {
+  if (!engine()) return;
   zone_->absorb(grains_->last(), flow_.solver());
   std::vector<std::int64_t> left;
   edge_->take(grains_->last().grains, surface_, left, [&](std::int64_t id) { return !zone_->is_shadow(id); });

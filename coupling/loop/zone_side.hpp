@@ -10,7 +10,9 @@
 //
 //   begin_window   starts, moves, ends; then what rafts drew in and grains gave back becomes the rim's fluxes
 //   ... the solver steps ...
-//   advance        the engine; what it gave back
+//   ask            what really passed becomes the engine's request
+//   advance        the engine alone: zones may do so at the same time
+//   take_back      what it gave back
 //   report         into the window's ledgers
 
 #include <functional>
@@ -31,24 +33,30 @@ class ZoneSide {
   using Tell = std::function<void(double time, const std::string& what)>;
 
   // deepest [m]: the flow that its packing must be cut for.
-  ZoneSide(const Scene&, const RunOptions&, const ReferenceSurface&, FlowSide&, const PlannedZone&, double deepest, Tell);
+  // `work_dir`: of its engine.
+  ZoneSide(const Scene&, const RunOptions&, const std::string& work_dir, const ReferenceSurface&, FlowSide&, const PlannedZone&,
+           double deepest, Tell);
 
   double timestep() const { return grains_->timestep(); }  // [s]
   CellBox widest() const { return watch_->widest(); }      // that it may grow to
+  CellBox box() const { return watch_->box(); }
   bool covers() const { return zone_ != nullptr; }
   bool holds(int obstacle) const { return zone_ && grains_->has_obstacle(obstacle); }
   const Grains* grains() const { return zone_ ? &grains_->last().grains : nullptr; }
   const std::vector<StressGauge>& gauges() const { return gauges_; }
-  GrainSide& grain_side() { return *grains_; }
+  const GrainSide& grain_side() const { return *grains_; }
   GrainEngine* engine() { return grains_->running() ? &grains_->port() : nullptr; }
 
   // `time` [s]: at the window's begin.
   void begin_window(double time, std::int64_t steps, double length);
+  void ask();
   void advance();
+  void take_back();
   // Adds the zone's terms to the ledgers and counters.
   void report(WindowReport&);
   // Whether what the zone holds changed without a force since the last report: no momentum balance in that window.
   bool jumped() const { return jumped_; }
+  void jump() { jumped_ = true; }                // another zone did
   double momentum() const { return momentum_; }  // [N s] along x, of what the zone holds
 
   // `checkpoint`: the engine's, where one was running.
@@ -77,7 +85,9 @@ class ZoneSide {
   std::unique_ptr<Zone> zone_;
   std::unique_ptr<DomainEdge> edge_;
   std::vector<StressGauge> gauges_;
+  std::string work_dir_;
   std::vector<NewGrain> first_;  // with the next advance
+  AdvanceRequest request_;
   std::int64_t steps_ = 0, next_id_ = 1;
   double time_ = 0, length_ = 0;                        // [s] of this window: its begin, its length
   double mass_ = 0, momentum_ = 0, left_momentum_ = 0;  // at the last report

@@ -87,7 +87,7 @@ void ZoneWatch::take(const Move& move) {
   pause_ = windows_between;
 }
 
-ZoneWatch::Calm ZoneWatch::calm(const Zone& zone, const Grains& g, double length) {
+ZoneWatch::Calm ZoneWatch::calm(const Zone& zone, bool flow_comes, const Grains& g, double length) {
   const double limit = at_rest * std::sqrt(gravity_ * diameter_);
   long counted = 0, moving = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
@@ -95,7 +95,7 @@ ZoneWatch::Calm ZoneWatch::calm(const Zone& zone, const Grains& g, double length
     ++counted;
     if (g.vx[i] * g.vx[i] + g.vy[i] * g.vy[i] + g.vz[i] * g.vz[i] > limit * limit) ++moving;
   }
-  const bool quiet = !zone.draws_in();
+  const bool quiet = !flow_comes;
   resting_ = quiet && counted > 0 && double(moving) <= stragglers * double(counted) ? resting_ + length : 0;
   empty_ = quiet && counted == 0 ? empty_ + length : 0;
   return resting_ >= to_rest ? Calm::resting : empty_ >= to_rest ? Calm::empty : Calm::no;

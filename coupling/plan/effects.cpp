@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/flow_estimate.hpp"
@@ -31,7 +30,7 @@ struct Listing {
   bool coupled = s.mode == Mode::coupled;
   bool flat = s.terrain.kind == TerrainSpec::Kind::flat || s.terrain.angle == 0;
   bool arc = s.terrain.kind == TerrainSpec::Kind::chute && s.terrain.arc > 0 && s.terrain.angle > 0;
-  std::optional<ZoneBox> zone = coupled ? std::optional(planned_zone(s).box) : std::nullopt;
+  std::vector<PlannedZone> zones = coupled ? planned_zones(s) : std::vector<PlannedZone>{};
   std::string mode = fmt::format("mode is {}", to_string(s.mode));
 
   Effect depth_averaged_flow() const {
@@ -105,7 +104,7 @@ struct Listing {
   }
 
   // Grains carry the flow around it.
-  bool among_grains(const ObstacleSpec& o) const { return !continuum || (zone && zone->holds(o)); }
+  bool among_grains(const ObstacleSpec& o) const { return !continuum || any_holds(zones, o); }
 
   static std::string body(const ObstacleSpec& o) {
     if (o.shape != ObstacleSpec::Shape::mesh) return fmt::format("{} ({} high)", o.name, len(o.height));
@@ -237,7 +236,9 @@ struct Listing {
     if (!coupled) return {"coupling", false, mode + ": one model alone"};
     return {"coupling", true,
             s.grains.zone ? "mode is coupled, with the zone that the scene gives"
-                          : "mode is coupled, with an automatic zone around the obstacles"};
+            : zones.size() == 1
+                ? "mode is coupled, with an automatic zone around the obstacles"
+                : fmt::format("mode is coupled, with {} automatic zones around the obstacles, an engine each", zones.size())};
   }
 
   Effect airborne() const {

@@ -91,15 +91,16 @@ void check_window(const Scene& scene, const Plan& plan) {
 
 // On cell lines the zone may cut what the scene's own box held.
 void check_zone(const Scene& scene, const Plan& plan) {
-  if (!plan.zone) return;
-  const ZoneBox& z = plan.zone->box;
-  for (const ObstacleSpec& o : scene.obstacles) {
-    if (z.holds(o) || z.apart(o)) continue;
-    fail(scene, "grains.zone",
-         "on the mesh's lines is x from {:.6g} to {:.6g} m, y from {:.6g} to {:.6g} m, which cuts through obstacles.{}; widen it "
-         "by a cell, or use smaller cells",
-         z.x0, z.x1, z.y0, z.y1, o.name);
-  }
+  for (const PlannedZone& zone : plan.zones)
+    for (const ObstacleSpec& o : scene.obstacles) {
+      const ZoneBox& z = zone.box;
+      if (z.holds(o) || z.apart(o)) continue;
+      fail(scene, "grains.zone",
+           "on the mesh's lines is x from {:.6g} to {:.6g} m, y from {:.6g} to {:.6g} m, which cuts through obstacles.{}; widen "
+           "it "
+           "by a cell, or use smaller cells",
+           z.x0, z.x1, z.y0, z.y1, o.name);
+    }
 }
 
 // Neighbours across a periodic side keep within one level of each other only where both end with a whole block.

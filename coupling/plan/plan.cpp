@@ -76,7 +76,8 @@ double volume_of_all_grains(const Scene& scene) {
 double volume_in_zone(const Scene& scene, const ZoneBox& zone, const FlowEstimate& flow) {
   const double across = zone.y1 - zone.y0;
   double volume = flow.depth * across * (zone.x1 - zone.x0 + 3 * scene.grains.diameter);
-  for (const ObstacleSpec& o : scene.obstacles) volume += 0.75 * o.height * o.height * o.width;
+  for (const ObstacleSpec& o : scene.obstacles)
+    if (!zone.apart(o)) volume += 0.75 * o.height * o.height * o.width;
   return fed(scene) ? volume : std::min(volume, release_volume(scene));
 }
 
@@ -104,7 +105,7 @@ void list_stress_gauges(Plan& plan, const Scene& scene) {
           name + ": records nothing in mode continuum: a depth-averaged flow has no stress on a part of a face");
       continue;
     }
-    if (plan.zone && !plan.zone->box.holds(o)) {
+    if (scene.mode == Mode::coupled && !any_holds(plan.zones, o)) {
       plan.stress_gauges.push_back(fmt::format("{}: records nothing, since {} lies outside the zone of grains", name, o.name));
       continue;
     }
@@ -147,6 +148,27 @@ void warn_of_no_sign(const Scene& scene, const auto& say) {
       "or leave adapt out.");
 }
 
+void warn_of_zone(const Scene& scene, const PlannedZone& zone, const auto& say) {
+  const ZoneBox& z = zone.box;
+  const double d = scene.grains.diameter;
+  for (const ObstacleSpec& o : scene.obstacles) {
+    const double before = o.x - z.x0;
+    if (z.holds(o) && before < 20 * d && zone.lines.at_x == 0) {
+      say(fmt::format("The zone reaches only {:.0f} grain diameters upstream of {}; the pile will reach its face.", before / d,
+                      o.name));
+    }
+  }
+  for (int side : {2, 3})
+    if (scene.sides[side].kind == SideSpec::Kind::inflow)
+      say("Flow that comes in from the side meets the zone obliquely: where it is steeper than 1 to 2 it is kept out as by a "
+          "wall.");
+  const double froude = flow_estimate_at(scene, z.x1).froude;
+  if (froude > 0 && froude < 1) {
+    say(fmt::format(
+        "The flow is expected to leave the zone at Fr {:.2g}, below 1: what happens at the exit acts back on the zone.", froude));
+  }
+}
+
 void warn(Plan& plan, const Scene& scene) {
   const auto say = [&](std::string text) { plan.warnings.push_back(std::move(text)); };
   warn_of_absence(plan, scene, say);
@@ -182,27 +204,10 @@ void warn(Plan& plan, const Scene& scene) {
   }
   const auto grains = plan.grains[static_cast<std::size_t>(scene.mode)];
   if (grains > 200000) say(fmt::format("About {} grains at once will be slow; larger grains or a smaller zone help.", grains));
-  if (!plan.zone) return;
-  const ZoneBox& z = plan.zone->box;
-  for (const ObstacleSpec& o : scene.obstacles) {
-    const double before = o.x - z.x0;
-    if (before > 0 && before < 20 * d) {
-      say(fmt::format("The zone reaches only {:.0f} grain diameters upstream of {}; the pile will reach its face.", before / d,
-                      o.name));
-    }
-    if (!z.holds(o)) say(fmt::format("{} lies outside the zone: the continuum flows around it.", o.name));
-  }
-  const TerrainSpec& t = scene.terrain;
-  if (t.kind == TerrainSpec::Kind::chute && z.x1 > t.slope && z.x0 < t.slope + t.arc)
-    say("The zone reaches into the arc: zones there are not validated.");
-  for (int side : {2, 3})
-    if (scene.sides[side].kind == SideSpec::Kind::inflow)
-      say("Flow that comes in from the side meets the zone obliquely: it is kept out as by a wall, which is not validated.");
-  const double froude = flow_estimate_at(scene, z.x1).froude;
-  if (froude > 0 && froude < 1) {
-    say(fmt::format(
-        "The flow is expected to leave the zone at Fr {:.2g}, below 1: what happens at the exit acts back on the zone.", froude));
-  }
+  for (const ObstacleSpec& o : scene.obstacles)
+    if (scene.mode == Mode::coupled && !any_holds(plan.zones, o))
+      say(fmt::format("{} lies outside the zone: the continuum flows around it.", o.name));
+  for (const PlannedZone& zone : plan.zones) warn_of_zone(scene, zone, say);
 }
 
 }  // namespace
@@ -237,12 +242,13 @@ Plan make_plan(const Scene& scene) {
                           (plan.scheme == "noc" ? noc_updates_per_second : cell_updates_per_second);
   }
 
-  if (scene.mode == Mode::coupled) plan.zone = planned_zone(scene);
+  if (scene.mode == Mode::coupled) plan.zones = planned_zones(scene);
   const bool zone_known = scene.continuum.cell > 0 && (scene.grains.zone || !scene.obstacles.empty());
   if (scene.grains.diameter > 0) {
     plan.grains[static_cast<std::size_t>(Mode::grains)] = grains_in(scene, volume_of_all_grains(scene));
     if (zone_known) {
-      const double volume = volume_in_zone(scene, planned_zone(scene).box, plan.at_obstacle);
+      double volume = 0;
+      for (const PlannedZone& zone : planned_zones(scene)) volume += volume_in_zone(scene, zone.box, plan.at_obstacle);
       plan.grains[static_cast<std::size_t>(Mode::coupled)] = grains_in(scene, volume);
     }
   }
@@ -251,7 +257,7 @@ Plan make_plan(const Scene& scene) {
     const auto count = static_cast<double>(plan.grains[static_cast<std::size_t>(scene.mode)]);
     plan.engine_dt = engine_timestep(scene, expected_grain_density(scene));
     // Coupled: no engine before the flow nears the zone.
-    const double idle = plan.zone && !fed(scene) ? flow_estimate_at(scene, plan.zone->box.x0).time / 2 : 0;
+    const double idle = !plan.zones.empty() && !fed(scene) ? flow_estimate_at(scene, plan.zones.front().box.x0).time / 2 : 0;
     plan.engine_steps = whole(std::max(0.0, scene.duration - idle) / plan.engine_dt);
     plan.memory += bytes_of_engine * scene.grains.ranks + bytes_per_grain * count;
     const double rate = scene.grains.engine == "yade" ? yade_per_second : liggghts_per_second;

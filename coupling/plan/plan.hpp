@@ -32,7 +32,7 @@ struct Plan {
   double dt = 0;                                // [s] least continuum step expected
   std::int64_t steps = 0;                       // at that step
   FlowEstimate at_obstacle;                     // flow expected at the first obstacle; without one at the terrain's end
-  std::optional<PlannedZone> zone;              // mode coupled
+  std::vector<PlannedZone> zones;               // mode coupled
   std::array<std::int64_t, 3> grains{};         // greatest number expected at once, by Mode; 0 where the scene has no diameter
   double engine_dt = 0;                         // [s] 0: no engine
   std::int64_t engine_steps = 0;

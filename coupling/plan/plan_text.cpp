@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "coupling/plan/build.hpp"
 #include "coupling/plan/plan.hpp"
 #include "coupling/scene/units.hpp"
 
@@ -42,6 +43,18 @@ nlohmann::json json_of(const ZoneBox& box) {
 
 }  // namespace
 
+namespace {
+
+std::string growth_text(const PlannedZone& zone, const Grid& grid) {
+  const ZoneLines& l = zone.lines;
+  const ZoneBox widest = box_of({l.x.front(), l.x.back(), l.y.front(), l.y.back()}, grid);
+  if (l.x.size() + l.y.size() == 4) return "";
+  return fmt::format("grows where a jump nears a face, to x {} to {}, y {} to {} at most; ends when all is at rest or gone",
+                     len(widest.x0), len(widest.x1), len(widest.y0), len(widest.y1));
+}
+
+}  // namespace
+
 std::string plan_text(const Plan& plan) {
   std::string out;
   if (!plan.title.empty()) out += plan.title + "\n";
@@ -53,11 +66,12 @@ std::string plan_text(const Plan& plan) {
     out += fmt::format("scheme     {}, limiter {}; instructions {}\n", plan.scheme, plan.limiter, plan.instruction_set);
     out += fmt::format("steps      about {} of {:.2g} ms\n", plan.steps, plan.dt * 1e3);
   }
-  if (plan.zone) {
-    const ZoneBox& z = plan.zone->box;
+  for (const PlannedZone& zone : plan.zones) {
+    const ZoneBox& z = zone.box;
     out += fmt::format("zone       x {} to {}, y {} to {} ({} x {} cells)\n", len(z.x0), len(z.x1), len(z.y0), len(z.y1),
-                       plan.zone->cells.i1 - plan.zone->cells.i0, plan.zone->cells.j1 - plan.zone->cells.j0);
-    out += fmt::format("           {}\n", plan.zone->reason);
+                       zone.cells.i1 - zone.cells.i0, zone.cells.j1 - zone.cells.j0);
+    out += fmt::format("           {}\n", zone.reason);
+    if (const std::string grows = growth_text(zone, plan.grid); !grows.empty()) out += fmt::format("           {}\n", grows);
   }
   if (plan.engine_dt > 0) {
     out += fmt::format("grains     about {} at once; {} engine steps of {:.3g} us\n",
@@ -93,12 +107,12 @@ nlohmann::json plan_json(const Plan& plan) {
   for (const LevelCells& l : plan.levels) {
     json["continuum"]["levels"].push_back({{"level", l.level}, {"cell", l.cell}, {"blocks", l.blocks}, {"cells", l.cells}});
   }
-  if (plan.zone) {
-    json["zone"] = json_of(plan.zone->box);
-    json["zone"]["reason"] = plan.zone->reason;
-  } else {
-    json["zone"] = nullptr;
+  json["zones"] = nlohmann::json::array();
+  for (const PlannedZone& zone : plan.zones) {
+    json["zones"].push_back(json_of(zone.box));
+    json["zones"].back()["reason"] = zone.reason;
   }
+  json["zone"] = plan.zones.empty() ? nlohmann::json(nullptr) : json["zones"].front();
   json["grains"] = {{"continuum", plan.grains[0]}, {"coupled", plan.grains[1]}, {"grains", plan.grains[2]}};
   json["engine"] = {{"timestep", plan.engine_dt}, {"steps", plan.engine_steps}};
   json["flow"] = {{"x", plan.at_obstacle.x},

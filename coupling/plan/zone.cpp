@@ -44,16 +44,12 @@ CellBox cells_around(const ZoneBox& box, const Grid& grid) {
           std::max(0, low(box.y0, grid.y0, grid.dy)), std::min(grid.ny, high(box.y1, grid.y0, grid.dy))};
 }
 
-PlannedZone automatic(const Scene& scene) {
-  if (scene.obstacles.empty()) {
-    throw SceneError(
-        "grains.zone is auto, but there is no obstacle to put it around; give a box {x: [.., ..], y: [.., ..]} or an obstacle");
-  }
+PlannedZone around(const Scene& scene, const std::vector<ObstacleSpec>& obstacles) {
   const double d = scene.grains.diameter, length = scene.terrain.total_length(), half = scene.terrain.width / 2;
   ZoneBox box{length, 0, half, -half};
   std::string reason;
   double first_obstacle = length;
-  for (const ObstacleSpec& o : scene.obstacles) {
+  for (const ObstacleSpec& o : obstacles) {
     const FlowEstimate flow = flow_estimate_at(scene, o.x);
     const Reach reach = reach_of(o, d, flow);
     first_obstacle = std::min(first_obstacle, o.x);
@@ -86,19 +82,60 @@ PlannedZone automatic(const Scene& scene) {
   return on_cells(cells_around(box, grid), grid, "automatic: " + reason);
 }
 
-}  // namespace
-
-ZoneBox automatic_zone(const Scene& scene) {
-  return automatic(scene).box;
+// Whether the layers and buffers of two zones would meet.
+bool too_near(const ZoneBox& a, const ZoneBox& b, double d) {
+  const double gap = 40 * d;
+  return a.x0 - gap < b.x1 && b.x0 < a.x1 + gap && a.y0 - gap < b.y1 && b.y0 < a.y1 + gap;
 }
 
-PlannedZone planned_zone(const Scene& scene) {
+// Obstacles whose zones would be too near to each other share one.
+std::vector<PlannedZone> automatic(const Scene& scene) {
+  if (scene.obstacles.empty()) {
+    throw SceneError(
+        "grains.zone is auto, but there is no obstacle to put it around; give a box {x: [.., ..], y: [.., ..]} or an obstacle");
+  }
+  std::vector<std::vector<ObstacleSpec>> groups;
+  std::vector<PlannedZone> zones;
+  for (const ObstacleSpec& o : scene.obstacles) {
+    groups.push_back({o});
+    zones.push_back(around(scene, groups.back()));
+  }
+  for (std::size_t a = 0; a < zones.size();) {
+    std::size_t b = a + 1;
+    while (b < zones.size() && !too_near(zones[a].box, zones[b].box, scene.grains.diameter)) ++b;
+    if (b == zones.size()) {
+      ++a;
+      continue;
+    }
+    groups[a].insert(groups[a].end(), groups[b].begin(), groups[b].end());
+    groups.erase(groups.begin() + long(b));
+    zones.erase(zones.begin() + long(b));
+    zones[a] = around(scene, groups[a]);
+    a = 0;  // what is larger now may be near to others
+  }
+  return zones;
+}
+
+}  // namespace
+
+std::vector<PlannedZone> planned_zones(const Scene& scene) {
   const Grid grid = grid_of(scene);
-  PlannedZone zone = scene.grains.zone ? on_cells(cells_in(*scene.grains.zone, grid), grid,
-                                                  "given by the scene, moved to the nearest cell lines")
-                                       : automatic(scene);
-  zone.lines = growth_lines(scene, zone.cells, {});
-  return zone;
+  std::vector<PlannedZone> zones;
+  if (scene.grains.zone) {
+    zones.push_back(on_cells(cells_in(*scene.grains.zone, grid), grid, "given by the scene, moved to the nearest cell lines"));
+  } else {
+    zones = automatic(scene);
+  }
+  for (std::size_t n = 0; n < zones.size(); ++n) {
+    std::vector<CellBox> others;
+    for (std::size_t m = 0; m < zones.size(); ++m) {
+      const ZoneLines& l = zones[m].lines;
+      if (m < n) others.push_back({l.x.front(), l.x.back(), l.y.front(), l.y.back()});
+      if (m > n) others.push_back(zones[m].cells);
+    }
+    zones[n].lines = growth_lines(scene, zones[n].cells, others);
+  }
+  return zones;
 }
 
 }  // namespace couloir

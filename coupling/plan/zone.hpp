@@ -1,7 +1,9 @@
 #pragma once
 // Where grains replace the continuum.
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "continuum/solver.hpp"
 #include "coupling/plan/zone_growth.hpp"
@@ -16,18 +18,23 @@ struct PlannedZone {
   ZoneLines lines;     // how far it may grow
 };
 
-// Around all obstacles, on cell lines, cut off at the domain:
+// The scene's own boxes; or around the obstacles, on cell lines, cut off at the domain:
 //
 //         |<---- before ---->|##|<- behind ->|     before = max(2 H, 30 d, 10 h; 15 h where Fr < 2: a weak jump runs far)
 //         |                  |##|            |     beside = max(0.3 H, 8 d, 4 h)
 //         x0             obstacle            x1    behind = max(0.25 H, 5 d)
 //
 // H obstacle height, d grain diameter, h and Fr of the flow that is expected there (flow_estimate.hpp). It does not reach into a
-// finite release while that leaves 10 d. A side closer to the domain's than 6 d moves onto it. Needs an obstacle: throws
-// SceneError.
-ZoneBox automatic_zone(const Scene&);
+// finite release while that leaves 10 d. A side closer to the domain's than 6 d moves onto it. Obstacles whose zones would be
+// nearer than 40 d share one. Throws SceneError where there is neither a box nor an obstacle.
+std::vector<PlannedZone> planned_zones(const Scene&);
 
-// The scene's own box or the automatic one.
-PlannedZone planned_zone(const Scene&);
+// Whether some zone holds the whole obstacle; whether all leave it out.
+inline bool any_holds(const std::vector<PlannedZone>& zones, const ObstacleSpec& o) {
+  return std::ranges::any_of(zones, [&](const PlannedZone& z) { return z.box.holds(o); });
+}
+inline bool all_apart(const std::vector<PlannedZone>& zones, const ObstacleSpec& o) {
+  return std::ranges::all_of(zones, [&](const PlannedZone& z) { return z.box.apart(o); });
+}
 
 }  // namespace couloir

@@ -297,12 +297,12 @@ void Records::write_flow(hid_t frame, const FrameView& view) {
           {"m", "free surface above the cell centres in the level frame"});
   h5::put(frame, "velocity", level_velocity(grid_, *surface_, *view.h, *view.hu, *view.hv, thin_), {ny, nx, 3},
           {"m/s", "depth-averaged velocity in the level frame"});
-  if (view.zone.empty()) return;
-  const CellBox& z = view.zone;
-  h5::put(frame, "zone",
-          std::vector<double>{grid_.x0 + z.i0 * grid_.dx, grid_.x0 + z.i1 * grid_.dx, grid_.y0 + z.j0 * grid_.dy,
-                              grid_.y0 + z.j1 * grid_.dy},
-          {4}, {"m", "rectangle that the grains hold: x from, to; y from, to"});
+  if (view.zones.empty()) return;
+  std::vector<double> edges;
+  for (const CellBox& z : view.zones)
+    edges.insert(edges.end(), {grid_.x0 + z.i0 * grid_.dx, grid_.x0 + z.i1 * grid_.dx, grid_.y0 + z.j0 * grid_.dy,
+                               grid_.y0 + z.j1 * grid_.dy});
+  h5::put(frame, "zones", edges, {view.zones.size(), 4}, {"m", "rectangles that grains hold: x from, to; y from, to"});
 }
 
 void Records::write_blocks(hid_t frame, const BlocksView& blocks) {

@@ -1,7 +1,5 @@
 #include "coupling/study/blank_summary.hpp"
 
-#include <optional>
-
 #include "coupling/loop/flow_models.hpp"
 #include "coupling/loop/force_measures.hpp"
 #include "coupling/loop/stress_gauges.hpp"
@@ -16,12 +14,12 @@ nlohmann::json blank_summary(const Scene& scene) {
   start.grid.nx = scene.mode == Mode::grains ? 0 : 1;  // there is a continuum
   start.planes_obstacle = planes_obstacle(scene);
   start.measures = wall_measures(scene);
-  std::optional<ZoneBox> zone;
-  if (scene.mode == Mode::coupled) zone = planned_zone(scene).box;
-  start.stress_gauges = stress_gauges(scene, zone ? &*zone : nullptr);
+  std::vector<PlannedZone> zones;
+  if (scene.mode == Mode::coupled) zones = planned_zones(scene);
+  start.stress_gauges = stress_gauges(scene, zones);
   for (const ObstacleSpec& o : scene.obstacles) {
     start.obstacles.push_back(o.name);
-    if (scene.mode == Mode::grains || (zone && !zone->apart(o))) continue;
+    if (scene.mode == Mode::grains || !all_apart(zones, o)) continue;
     start.measures.push_back({o.name, "control_volume"});
     if (o.method != ObstacleSpec::Method::elevation) continue;
     for (const char* kind : {"elevation", "elevation_upstream"}) start.measures.push_back({o.name, kind});

@@ -25,7 +25,8 @@ double RimFace::along(const Vec& p) const {
 }
 Vec RimFace::place(double distance, double along, double height) const {
   const double in = sign() * distance;
-  return to_vec(axis() == 0 ? surface->to_space({x0 + in, y0 + along, height}) : surface->to_space({x0 + along, y0 + in, height}));
+  return to_vec(axis() == 0 ? surface->to_space({x0 + in, y0 + along, height})
+                            : surface->to_space({x0 + along, y0 + in, height}));
 }
 int RimFace::cell_at(double a) const {
   return int(std::clamp(std::floor(a / cell_width), 0.0, double(cells - 1)));
@@ -57,10 +58,8 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
   const Eigen::Vector3d across(0, 1, 0);
   // The engine's segments of a lateral face lie along the chord.
   const Eigen::Vector3d chord = (surface.to_space({xh, 0, 0}) - surface.to_space({xl, 0, 0})).normalized();
-  if (zone.i0 > 0)
-    add(SideName::upstream, zone.j1 - zone.j0, grid.dy, xl, yl, surface.tangent(xl), across);
-  if (zone.i1 < grid.nx)
-    add(SideName::downstream, zone.j1 - zone.j0, grid.dy, xh, yl, -surface.tangent(xh), across);
+  if (zone.i0 > 0) add(SideName::upstream, zone.j1 - zone.j0, grid.dy, xl, yl, surface.tangent(xl), across);
+  if (zone.i1 < grid.nx) add(SideName::downstream, zone.j1 - zone.j0, grid.dy, xh, yl, -surface.tangent(xh), across);
   if (zone.j0 > 0) add(SideName::left, zone.i1 - zone.i0, grid.dx, xl, yl, across, chord);
   if (zone.j1 < grid.ny) add(SideName::right, zone.i1 - zone.i0, grid.dx, xl, yh, -across, chord);
 }

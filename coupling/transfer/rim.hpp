@@ -32,9 +32,9 @@ struct RimFace {
   std::pair<int, int> cells_of_segment(int s) const {  // first, past the last
     return {s * cells_per_segment, std::min(cells, (s + 1) * cells_per_segment)};
   }
-  double distance(const Vec& p) const;  // [m] along the inward normal, positive in the zone
-  double along(const Vec& p) const;     // [m] from the face's low end, on the reference surface
-  int cell_at(double along) const;      // clamped to the face
+  double distance(const Vec& p) const;                            // [m] along the inward normal, positive in the zone
+  double along(const Vec& p) const;                               // [m] from the face's low end, on the reference surface
+  int cell_at(double along) const;                                // clamped to the face
   Vec place(double distance, double along, double height) const;  // in space; `height` [m] above the reference surface
 
   const ReferenceSurface* surface = nullptr;

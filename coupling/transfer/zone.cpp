@@ -76,7 +76,7 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
   remainder_ = mass;
   fresh_ = true;
   inserted_ = long(grains.size());
-  solver.cover(box);
+  covered_ = solver.cover(box);
   return grains;
 }
 
@@ -99,12 +99,13 @@ void Zone::look_outside(const Solver& solver) {
       }
       Segment& segment = segments_[f][s];
       segment.depth = h / (last - first);
-      if (segment.depth <= least) continue;  // the last flow's velocity carries its driven grains in
-      segment.along = ha / h;
+      segment.comes = h > 0 ? hn / h : 0;
+      if (segment.depth <= least && !closed_) continue;  // the last flow's velocity carries its driven grains in
+      segment.along = h > 0 ? ha / h : 0;
       segment.fast_outflow = hn < -2 * h * std::sqrt(settings_.gravity * segment.depth);
       // A flow that slides along the face is not drawn in: its driven layer would leave the face sideways before it came in.
       const bool before = segment.inflow;
-      segment.inflow = hn > still * h && hn > steepest_ * std::abs(ha);
+      segment.inflow = !closed_ && hn > still * h && hn > steepest_ * std::abs(ha);
       if (segment.inflow) all_h += h, all_hn += hn;
       // A raft starts with its flow: one that had to be pushed into motion would dam it up first.
       if (segment.inflow != before) segment.raft = segment.rate = segment.inflow ? hn / h : 0;
@@ -165,14 +166,40 @@ void Zone::impose(Solver& solver) {
         flux.mom_y = normal_momentum - s * per * parcel.mom_y;
         flux.mom_x = along_momentum - s * per * parcel.mom_x;
       }
-      solver.impose(face.side, k, flux);
+      solver.impose(covered_, face.side, k, flux);
     }
   }
-  solver.reset_rim();
+  solver.reset_rim(covered_);
+}
+
+// What passed is split into what the rafts asked for and what was handed back; a shortfall is the rafts'. Returns the mass [kg]
+// that each segment's conveyor is given, [face][segment].
+std::vector<std::vector<double>> Zone::count_passed(const Solver& solver) {
+  std::vector<std::vector<double>> given;
+  for (int f = 0; f < int(rim_.faces().size()); ++f) {
+    const RimFace& face = rim_.faces()[f];
+    given.emplace_back(face.segments, 0.0);
+    for (int k = 0; k < face.cells; ++k) {
+      Parcel& parcel = handback_.pending()[f][k];
+      const double inward = face.sign() * solver.passed(covered_, face.side, k).mass * face.cell_width * table_->bulk_density();
+      const double drawn = imposed_[f][k] * window_ * face.cell_width * table_->bulk_density();
+      double to_conveyor = inward + parcel.mass;
+      if (drawn <= 0) {  // no raft here: a shortfall stays in the parcel and is taken later
+        parcel.mass = to_conveyor;
+        to_conveyor = 0;
+        parcel.mom_x = parcel.mom_y = 0;
+      } else {
+        parcel = {};
+      }
+      given[f][face.segment_of_cell(k)] += to_conveyor;
+    }
+  }
+  return given;
 }
 
 AdvanceRequest Zone::request(Solver& solver) {
   look_outside(solver);
+  auto all_given = count_passed(solver);
   AdvanceRequest request;
   request.steps = steps_;
   request.remove = remove_;
@@ -183,24 +210,11 @@ AdvanceRequest Zone::request(Solver& solver) {
   move_fill_.clear();
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
     const RimFace& face = rim_.faces()[f];
+    std::vector<double>& given = all_given[f];
     std::vector<double> depth(face.cells);
-    std::vector<double> given(face.segments, 0.0);
     for (int k = 0; k < face.cells; ++k) {
       const auto [i, j] = rim_.outside_cell(face, k);
       depth[k] = solver.at(i, j).h;
-      // What passed is split into what the rafts asked for and what was handed back; a shortfall is the rafts'.
-      Parcel& parcel = handback_.pending()[f][k];
-      const double inward = face.sign() * solver.passed(face.side, k).mass * face.cell_width * table_->bulk_density();
-      const double drawn = imposed_[f][k] * window_ * face.cell_width * table_->bulk_density();
-      double to_conveyor = inward + parcel.mass;
-      if (drawn <= 0) {  // no raft here: a shortfall stays in the parcel and is taken later
-        parcel.mass = to_conveyor;
-        to_conveyor = 0;
-        parcel.mom_x = parcel.mom_y = 0;
-      } else {
-        parcel = {};
-      }
-      given[face.segment_of_cell(k)] += to_conveyor;
     }
 
     std::vector<SegmentDrive> drives(face.segments);
@@ -349,19 +363,17 @@ std::vector<Zone::Look> Zone::look(const Solver& solver, const RimFace& face, in
   return out;
 }
 
-bool Zone::draws_in() const {
+bool Zone::flow_comes(const Solver& solver) {
+  look_outside(solver);
+  const double d = settings_.rim.diameter, least = 0.1 * std::sqrt(settings_.gravity * d);
   for (const auto& face : segments_)
     for (const Segment& segment : face)
-      if (segment.inflow) return true;
+      if (segment.comes > least && segment.depth > 0.5 * d) return true;
   return false;
 }
 
-bool Zone::flow_comes(const Solver& solver) {
-  look_outside(solver);
-  return draws_in();
-}
-
-void Zone::lay_down(const Grains& g, Solver& solver) {
+void Zone::rest(const Grains& g, Solver& solver) {
+  closed_ = true;
   show(g, solver, false);
 }
 

@@ -37,7 +37,7 @@ class Zone {
   std::vector<NewGrain> take_over(Solver&);
 
   // This zone goes on for `before`, whose engine holds `grains`, with another box; to be called between two windows, on a new
-  // zone. `cover` has the solver cover this box instead of the other. Newly covered material becomes grains cut from the settled
+  // zone. Newly covered material becomes grains cut from the settled
   // packing with the flow's depth and velocity, where none stand yet; grains of cells that open become their flow. The next
   // request tells the engine. Keeps: mass to round-off; momentum of what changes sides but for parcels on their way.
   struct Moved {
@@ -45,7 +45,10 @@ class Zone {
     long filled = 0, freed = 0;      // grains new, gone
     double left_over = 0;            // [kg] what whole grains could not carry, now owed to the faces
   };
-  Moved take_from(const Zone& before, const Grains& grains, Solver&, const std::function<void()>& cover);
+  Moved take_from(const Zone& before, const Grains& grains, Solver&);
+
+  // The solver's cells are its own again, empty.
+  void give_up(Solver&);
 
   // The window that begins: engine steps, and their length [s].
   void begin_window(std::int64_t steps, double length) { steps_ = steps, window_ = length; }
@@ -72,14 +75,18 @@ class Zone {
     double froude;           // outside, of the normal velocity
   };
   std::vector<Look> look(const Solver&, const RimFace&, int cells) const;
-  bool draws_in() const;           // some raft draws flow in
-  bool flow_comes(const Solver&);  // some raft would, now
+  // Whether flow of half a diameter or more comes towards a face, at a tenth of sqrt(g d) or more.
+  bool flow_comes(const Solver&);
   std::int64_t next_id() const { return next_id_; }
-  void lay_down(const Grains&, Solver&);  // the covered cells show them at rest
+  // At rest, without an engine: the covered cells show the grains, still, and what comes meets the faces as walls. In place of
+  // request and absorb: count_passed.
+  void rest(const Grains&, Solver&);
+  void wake() { closed_ = false; }
+  std::vector<std::vector<double>> count_passed(const Solver&);
   // Between two windows; into a zone of the same settings. The solver's covered cells are the solver's.
   void state(Archive& a) {
     a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, lent_, remainder_, next_id_, steps_, window_,
-      inserted_, fresh_, own_from_);
+      inserted_, fresh_, own_from_, closed_, covered_);
   }
 
  private:
@@ -87,6 +94,7 @@ class Zone {
     bool inflow = false;                      // comes in steeply enough to be carried by a raft
     bool fast_outflow = false;                // normal Froude number above 2
     double depth = 0, normal = 0, along = 0;  // [m], [m/s] inward: all inflow of the face together, [m/s]
+    double comes = 0;                         // [m/s] inward, of this segment alone
     double raft = 0, displacement = 0;        // [m/s], [m] of the last window
     double rate = 0;                          // [m/s] at which the raft draws the flow in
   };
@@ -120,6 +128,8 @@ class Zone {
   double window_ = 0;  // [s]
   long inserted_ = 0;
   bool fresh_ = false;               // no window yet
+  bool closed_ = false;              // at rest
+  int covered_ = -1;                 // the solver's number of the zone
   std::int64_t own_from_ = 0;        // driven grains below this id were not laid by the conveyors that stand there now
   std::vector<RimMove> move_;        // to tell the engine
   std::vector<NewGrain> move_fill_;  // with it

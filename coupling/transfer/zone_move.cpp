@@ -30,13 +30,13 @@ class RimMover {
         grid_(now.grid_),
         cell_mass_(grid_.dx * grid_.dy * now.table_->bulk_density()) {}
 
-  Zone::Moved move(const std::function<void()>& cover) {
+  Zone::Moved move() {
     carry_over();
     now_.look_outside(solver_);
     keep_segments();
     cover_new_cells();
     const auto flow = flow_before();
-    cover();
+    solver_.move_zone(now_.covered_, now_.settings_.box);
     sort_grains();
     fill_new_cells(flow);
     for (const auto& [cell, q] : opened_) solver_.set(cell.first, cell.second, q);
@@ -55,6 +55,7 @@ class RimMover {
   using Cell = std::pair<int, int>;
 
   void carry_over() {
+    now_.covered_ = before_.covered_;
     now_.next_id_ = before_.next_id_;
     now_.own_from_ = before_.next_id_;
     now_.inserted_ = before_.inserted_;
@@ -285,8 +286,15 @@ class RimMover {
   Zone::Moved moved_;
 };
 
-Zone::Moved Zone::take_from(const Zone& before, const Grains& grains, Solver& solver, const std::function<void()>& cover) {
-  return RimMover(*this, before, grains, solver).move(cover);
+Zone::Moved Zone::take_from(const Zone& before, const Grains& grains, Solver& solver) {
+  return RimMover(*this, before, grains, solver).move();
+}
+
+void Zone::give_up(Solver& solver) {
+  const CellBox& box = settings_.box;
+  for (int j = box.j0; j < box.j1; ++j)
+    for (int i = box.i0; i < box.i1; ++i) solver.set_covered(i, j, {});
+  solver.uncover(covered_);
 }
 
 void Zone::share_out(double mass) {

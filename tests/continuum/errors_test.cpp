@@ -27,7 +27,7 @@ TEST(Errors, InfiniteFluxThroughTheRimIsReported) {
   Solver solver(basin(20, 10, 0.1), ReferenceSurface::flat(2), {});
   solver.set([](double, double) { return FlowState{0.1, 0, 0}; });
   solver.cover({10, 20, 0, 10});
-  solver.impose(SideName::upstream, 4, {0, std::numeric_limits<double>::infinity(), 0});
+  solver.impose(0, SideName::upstream, 4, {0, std::numeric_limits<double>::infinity(), 0});
   EXPECT_THROW(solver.step(0.01), NumericsError);
 }
 

@@ -54,7 +54,7 @@ TEST(Reproducible, CheckpointContinuesToTheSameBits) {
   whole.add_gauge(30, 0, 40);
   whole.advance_to(0.2);
   whole.cover({40, 50, 5, 20});
-  whole.impose(SideName::upstream, 2, {0.001, 0.002, 0});
+  whole.impose(0, SideName::upstream, 2, {0.001, 0.002, 0});
   whole.advance_to(0.25);
   const auto bytes = whole.checkpoint();
   whole.advance_to(0.5);

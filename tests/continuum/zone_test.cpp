@@ -6,10 +6,8 @@
 namespace couloir::test {
 namespace {
 
-constexpr SideName all_sides[] = {SideName::upstream, SideName::downstream, SideName::left, SideName::right};
-
 int faces(const CellBox& b, SideName s) {
-  return s == SideName::upstream || s == SideName::downstream ? b.j1 - b.j0 : b.i1 - b.i0;
+  return is_across_x(s) ? b.j1 - b.j0 : b.i1 - b.i0;
 }
 
 // A uniform layer that slides at constant speed down a slope with delta = zeta, the zone across block edges.
@@ -23,8 +21,8 @@ TEST(Zone, UniformFlowWithItsExactFluxesStaysUniform) {
   const CellBox box{10, 20, 12, 33};
   solver.cover(box);
   for (SideName side : all_sides) {
-    const bool across_x = side == SideName::upstream || side == SideName::downstream;
-    for (int k = 0; k < faces(box, side); ++k) solver.impose(side, k, across_x ? flux_x(h, u, 0, g) : flux_y(h, u, 0, g));
+    for (int k = 0; k < faces(box, side); ++k)
+      solver.impose(0, side, k, is_across_x(side) ? flux_x(h, u, 0, g) : flux_y(h, u, 0, g));
   }
   const double volume = solver.volume();
   solver.advance_to(2);
@@ -35,8 +33,8 @@ TEST(Zone, UniformFlowWithItsExactFluxesStaysUniform) {
       EXPECT_NEAR(solver.at(i, j).hv, 0, 1e-13);
     }
   }
-  EXPECT_NEAR(solver.passed(SideName::upstream, 3).mass, h * u * 2, 1e-12);
-  EXPECT_NEAR(solver.passed(SideName::left, 3).mom_y, pressure(h, g) * 2, 1e-12);
+  EXPECT_NEAR(solver.passed(0, SideName::upstream, 3).mass, h * u * 2, 1e-12);
+  EXPECT_NEAR(solver.passed(0, SideName::left, 3).mom_y, pressure(h, g) * 2, 1e-12);
   EXPECT_NEAR(solver.volume(), volume, 1e-13);
   EXPECT_NEAR(solver.budget().mass_zone, 0, 1e-13);
 }
@@ -49,15 +47,16 @@ TEST(Zone, ImposedFluxNeverEmptiesACell) {
   const CellBox box{18, 40, 4, 16};
   solver.cover(box);
   const double volume = solver.volume();
-  for (int k = 0; k < 12; ++k) solver.impose(SideName::upstream, k, {5, 10, 1});
+  for (int k = 0; k < 12; ++k) solver.impose(0, SideName::upstream, k, {5, 10, 1});
   for (int k = 0; k < 22; ++k) {
-    solver.impose(SideName::left, k, {1, 0.1, 2});
-    solver.impose(SideName::right, k, {-1, 0.1, 2});
+    solver.impose(0, SideName::left, k, {1, 0.1, 2});
+    solver.impose(0, SideName::right, k, {-1, 0.1, 2});
   }
   for (int k = 0; k < 50; ++k) solver.step(0.005);
   double passed = 0;
-  for (int k = 0; k < 12; ++k) passed += solver.passed(SideName::upstream, k).mass * 0.05;
-  for (int k = 0; k < 22; ++k) passed += (solver.passed(SideName::left, k).mass - solver.passed(SideName::right, k).mass) * 0.05;
+  for (int k = 0; k < 12; ++k) passed += solver.passed(0, SideName::upstream, k).mass * 0.05;
+  for (int k = 0; k < 22; ++k)
+    passed += (solver.passed(0, SideName::left, k).mass - solver.passed(0, SideName::right, k).mass) * 0.05;
   EXPECT_GT(passed, 0.05 * volume);
   EXPECT_NEAR(solver.volume() + passed, volume + solver.budget().mass_clipped, 1e-14);
   EXPECT_NEAR(solver.budget().mass_zone, -passed, 1e-14);
@@ -78,7 +77,7 @@ TEST(Zone, CoveredCellsKeepTheStateGiven) {
   EXPECT_EQ(solver.obstacle_impulse(0)[0], 0);  // the block is covered: not the solver's business
   EXPECT_THROW(solver.set_covered(2, 2, {}), std::out_of_range);
   EXPECT_THROW(solver.cover({30, 61, 10, 30}), std::invalid_argument);
-  solver.uncover();
+  solver.uncover(0);
   solver.advance_to(0.35);
   EXPECT_LT(solver.at(35, 20).h, 0.2);
 }
@@ -88,10 +87,10 @@ TEST(Zone, RimFeedsADryDomain) {
   SolverSettings s = basin(64, 8, 0.05);
   Solver solver(s, ReferenceSurface::flat(3.2), {});
   solver.cover({0, 32, 0, 8});
-  for (int k = 0; k < 8; ++k) solver.impose(SideName::downstream, k, flux_x(0.1, 1, 0, 9.81));
+  for (int k = 0; k < 8; ++k) solver.impose(0, SideName::downstream, k, flux_x(0.1, 1, 0, 9.81));
   for (int k = 0; k < 100; ++k) solver.step(0.005);
   EXPECT_NEAR(solver.volume(), 0.1 * 1 * solver.time() * 0.4, 1e-14);
-  EXPECT_EQ(solver.passed(SideName::upstream, 0).mass, 0);
+  EXPECT_EQ(solver.passed(0, SideName::upstream, 0).mass, 0);
 }
 
 }  // namespace

@@ -200,7 +200,7 @@ TEST(ForceMeasures, OnlyWhereTheyMeanSomething) {
   Solver solver(solver_settings(scene), surface, step_bed(scene));
   const auto kinds = [&](const CellBox& zone) {
     std::string text;
-    const ForceMeasures measures(scene, surface, solver, zone);
+    const ForceMeasures measures(scene, surface, solver, std::vector<CellBox>{zone});
     for (const ForceMeasure& m : measures.list()) text += m.of + " " + m.kind + ", ";
     return text;
   };

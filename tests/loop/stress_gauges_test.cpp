@@ -126,12 +126,13 @@ TEST_P(StressGauges, ReadInACoupledRun) {
 
 TEST(StressGaugesOf, AnObstacleThatGrainsMeet) {
   const Overrides gauge{{"obstacles.wall.gauges", "{m: {centre: [0, 20 mm], radius: 10 mm}}"}};
-  EXPECT_EQ(stress_gauges(small_scene("grains", gauge), nullptr).size(), 1u);
-  EXPECT_TRUE(stress_gauges(small_scene("continuum", gauge), nullptr).empty());
+  EXPECT_EQ(stress_gauges(small_scene("grains", gauge), {}).size(), 1u);
+  EXPECT_TRUE(stress_gauges(small_scene("continuum", gauge), {}).empty());
   const Scene coupled = small_scene("coupled", gauge);
-  EXPECT_EQ(stress_gauges(coupled, &*coupled.grains.zone).size(), 1u);
-  const ZoneBox elsewhere{0.45, 0.55, -0.07, 0.07};
-  EXPECT_TRUE(stress_gauges(coupled, &elsewhere).empty());
+  EXPECT_EQ(stress_gauges(coupled, planned_zones(coupled)).size(), 1u);
+  PlannedZone elsewhere;
+  elsewhere.box = {0.45, 0.55, -0.07, 0.07};
+  EXPECT_TRUE(stress_gauges(coupled, {elsewhere}).empty());
   const Gauged continuum = run(small_scene("continuum", gauge));
   EXPECT_TRUE(continuum.list.empty());
   EXPECT_TRUE(continuum.windows.back().stresses.empty());

@@ -22,8 +22,8 @@ TEST(Plan, OfTheWall) {
   EXPECT_GT(plan.dt, 2.2e-4);
   EXPECT_LT(plan.dt, 2.3e-3);
   EXPECT_NEAR(static_cast<double>(plan.steps), 1.5 / plan.dt, 1);
-  ASSERT_TRUE(plan.zone);
-  EXPECT_LT(plan.zone->box.x0, 0.65);
+  ASSERT_EQ(plan.zones.size(), 1u);
+  EXPECT_LT(plan.zones[0].box.x0, 0.65);
   // 2.207 L at a solid fraction of .57 in grains of 4 mm, spread .1: 37.2 thousand.
   EXPECT_NEAR(static_cast<double>(plan.grains[2]), 2.2066e-3 * 0.57 / (3.351e-8 * 1.01), 100);
   EXPECT_GT(plan.grains[1], 1000);
@@ -83,7 +83,7 @@ TEST(Plan, ContinuumHasNoEngine) {
   EXPECT_EQ(plan.engine_dt, 0);
   EXPECT_EQ(plan.engine_steps, 0);
   EXPECT_EQ(plan.time_engine, 0);
-  EXPECT_FALSE(plan.zone);
+  EXPECT_TRUE(plan.zones.empty());
   EXPECT_TRUE(plan.warnings.empty());
   EXPECT_GT(plan.grains[2], 0) << "still told for comparison";
 }
@@ -93,7 +93,7 @@ TEST(Plan, GrainsHasNoMesh) {
   EXPECT_EQ(plan.cells, 0);
   EXPECT_EQ(plan.steps, 0);
   EXPECT_EQ(plan.time_continuum, 0);
-  EXPECT_FALSE(plan.zone);
+  EXPECT_TRUE(plan.zones.empty());
   EXPECT_GT(plan.time_engine, 0);
   EXPECT_GT(plan.time_engine, make_plan(experiment("chiou_wall")).time_engine) << "a zone has fewer grains than the whole flow";
 }
@@ -169,7 +169,7 @@ TEST(Plan, AsTextAndJson) {
   EXPECT_EQ(json["continuum"]["cells"], 383 * 160);
   EXPECT_EQ(json["effects"].size(), plan.effects.size());
   EXPECT_EQ(json["effects"][0]["name"], "depth_averaged_flow");
-  EXPECT_EQ(json["zone"]["x"][0], plan.zone->box.x0);
+  EXPECT_EQ(json["zone"]["x"][0], plan.zones[0].box.x0);
   EXPECT_TRUE(plan_json(make_plan(experiment("chiou_wall", {{"mode", "grains"}})))["zone"].is_null());
 }
 

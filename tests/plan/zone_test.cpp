@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupling/plan/build.hpp"
@@ -11,9 +12,18 @@
 namespace couloir {
 namespace {
 
+PlannedZone the_zone(const Scene& s) {
+  const std::vector<PlannedZone> zones = planned_zones(s);
+  EXPECT_EQ(zones.size(), 1u);
+  return zones.front();
+}
+ZoneBox automatic(const Scene& s) {
+  return the_zone(s).box;
+}
+
 TEST(AutomaticZone, HoldsTheWallWithRoom) {
   const Scene s = experiment("chiou_wall");
-  const ZoneBox z = automatic_zone(s);
+  const ZoneBox z = automatic(s);
   const double d = s.grains.diameter, H = 0.08;
   EXPECT_LE(z.x0, 0.65 - std::max(2 * H, 30 * d) + 1e-9);
   EXPECT_GE(z.x0, 0.258 + 0.158 - 1e-9) << "not in the release";
@@ -25,7 +35,7 @@ TEST(AutomaticZone, HoldsTheWallWithRoom) {
 
 TEST(AutomaticZone, LiesOnCellLines) {
   const Scene s = experiment("chiou_wall");
-  const PlannedZone zone = planned_zone(s);
+  const PlannedZone zone = the_zone(s);
   const Grid g = grid_of(s);
   EXPECT_DOUBLE_EQ(zone.box.x0, g.x0 + zone.cells.i0 * g.dx);
   EXPECT_DOUBLE_EQ(zone.box.y1, g.y0 + zone.cells.j1 * g.dy);
@@ -35,17 +45,17 @@ TEST(AutomaticZone, LiesOnCellLines) {
 }
 
 TEST(AutomaticZone, GrowsWithWallAndGrains) {
-  const ZoneBox base = automatic_zone(experiment("chiou_wall"));
-  const ZoneBox low = automatic_zone(experiment("chiou_wall", {{"obstacles.wall.size", "[10 mm, 160 mm, 40 mm]"}}));
-  const ZoneBox coarse = automatic_zone(experiment("chiou_wall", {{"grains.diameter", "6 mm"}}));
+  const ZoneBox base = automatic(experiment("chiou_wall"));
+  const ZoneBox low = automatic(experiment("chiou_wall", {{"obstacles.wall.size", "[10 mm, 160 mm, 40 mm]"}}));
+  const ZoneBox coarse = automatic(experiment("chiou_wall", {{"grains.diameter", "6 mm"}}));
   EXPECT_GT(low.x0, base.x0);
   EXPECT_GT(coarse.x1, base.x1);
   EXPECT_LT(coarse.y0, base.y0);
 }
 
 TEST(AutomaticZone, DoesNotDependOnHowLongTheRunIs) {
-  const ZoneBox longer = automatic_zone(experiment("chiou_wall"));
-  const ZoneBox shorter = automatic_zone(experiment("chiou_wall", {{"duration", "0.1 s"}}));
+  const ZoneBox longer = automatic(experiment("chiou_wall"));
+  const ZoneBox shorter = automatic(experiment("chiou_wall", {{"duration", "0.1 s"}}));
   EXPECT_EQ(shorter.x0, longer.x0);
   EXPECT_EQ(shorter.x1, longer.x1);
   EXPECT_EQ(shorter.y0, longer.y0);
@@ -53,20 +63,54 @@ TEST(AutomaticZone, DoesNotDependOnHowLongTheRunIs) {
 
 TEST(AutomaticZone, CoversAllObstaclesAndMeetsNearSides) {
   const Scene s = experiment("chiou_wall", {{"obstacles.post", "{position: [750 mm, 345 mm], size: [20 mm, 20 mm, 60 mm]}"}});
-  const ZoneBox z = automatic_zone(s);
+  const ZoneBox z = automatic(s);
   EXPECT_GE(z.x1, 0.77);
   EXPECT_NEAR(z.y1, 0.4, 1e-9) << "moved onto the side";
   EXPECT_LT(z.y0, -0.08);
 }
 
+TEST(AutomaticZone, ObstaclesFarApartHaveZonesOfTheirOwn) {
+  const Overrides post{{"obstacles.post", "{position: [1.35 m, 0], size: [20 mm, 100 mm, 40 mm]}"}};
+  const Scene s = experiment("chiou_wall", post);
+  const std::vector<PlannedZone> zones = planned_zones(s);
+  ASSERT_EQ(zones.size(), 2u);
+  EXPECT_TRUE(zones[0].box.holds(s.obstacles[0]));
+  EXPECT_TRUE(zones[1].box.holds(s.obstacles[1]));
+  EXPECT_GT(zones[1].box.x0 - zones[0].box.x1, 40 * s.grains.diameter);
+  for (int n : {0, 1})
+    EXPECT_EQ(zones[std::size_t(n)].reason.find(s.obstacles[std::size_t(1 - n)].name + " is"), std::string::npos);
+  const Grid g = grid_of(s);
+  const auto widest = [&](const PlannedZone& z) {
+    return box_of({z.lines.x.front(), z.lines.x.back(), z.lines.y.front(), z.lines.y.back()}, g);
+  };
+  EXPECT_GT(widest(zones[1]).x0 - widest(zones[0]).x1, 20 * s.grains.diameter) << "they cannot grow into each other";
+}
+
+TEST(ZoneGrowth, HasStepsOnAllSidesWithinTheDomain) {
+  const Scene s = experiment("chiou_wall");
+  const PlannedZone z = the_zone(s);
+  const Grid g = grid_of(s);
+  EXPECT_GE(z.lines.at_x, 1);
+  EXPECT_EQ(z.lines.at_y, 2);
+  EXPECT_EQ(z.lines.x[std::size_t(z.lines.at_x)], z.cells.i0);
+  EXPECT_EQ(z.lines.x[std::size_t(z.lines.at_x) + 1], z.cells.i1);
+  EXPECT_EQ(z.lines.y.front() + z.lines.y.back(), g.ny) << "symmetric";
+  EXPECT_TRUE(std::ranges::is_sorted(z.lines.x));
+  EXPECT_GE(z.lines.x.front() * g.dx, 4 * s.grains.diameter) << "room for the driven layer";
+  for (std::size_t n = 1; n < z.lines.x.size(); ++n)
+    EXPECT_GE((z.lines.x[n] - z.lines.x[n - 1]) * g.dx, 15 * s.grains.diameter - 1e-9);
+  const ZoneLines fixed = the_zone(experiment("chiou_wall", {{"grains.follow", "off"}})).lines;
+  EXPECT_EQ(fixed.x.size() + fixed.y.size(), 4u);
+}
+
 TEST(AutomaticZone, NeedsAnObstacle) {
   Scene s = experiment("chiou_wall");
   s.obstacles.clear();
-  EXPECT_THROW(automatic_zone(s), SceneError);
+  EXPECT_THROW(planned_zones(s), SceneError);
 }
 
 TEST(PlannedZone, KeepsTheScenesBox) {
-  const PlannedZone zone = planned_zone(experiment("null_zone"));
+  const PlannedZone zone = the_zone(experiment("null_zone"));
   EXPECT_EQ(zone.cells.i0, 60);
   EXPECT_EQ(zone.cells.i1, 100);
   EXPECT_EQ(zone.cells.j0, 0);

@@ -194,7 +194,7 @@ void SyntheticRun::play(const std::vector<Observer*>& observers, double from, do
     if (scene.mode != Mode::grains) view.h = &h, view.hu = &hu, view.hv = &hv;
     const BlocksView fine = refined ? blocks(time) : BlocksView();
     if (refined) view.blocks = &fine;
-    if (scene.mode == Mode::coupled) view.zone = {50, 70, 15, 35};
+    if (scene.mode == Mode::coupled) view.zones = {{50, 70, 15, 35}};
     if (scene.mode != Mode::continuum) view.grains = &g;
     tell([&](Observer& o) { o.on_frame(view); });
   };

@@ -115,6 +115,48 @@ TEST(AdaptiveRefinement, AnObstacleOverAPeriodicSideIsNear) {
   EXPECT_EQ(high, 1) << "its surroundings reach over the side";
 }
 
+// Two zones in the heap's way: the cells along both rims are finest, also after one has moved, and what both draw in is all that
+// is missing.
+TEST(AdaptiveRefinement, RefinesTheRimsOfAllCoveredZones) {
+  Solver s = heap_on_chute(adaptive(chute(), 1));
+  const double before = s.volume();
+  s.cover({30, 40, 6, 18}), s.cover({30, 40, 28, 40});
+  double covered = before - s.volume();
+  const auto draw_until = [&](double end) {  // as fast as it comes
+    while (s.time() < end) {
+      for (int zone : {0, 1}) {
+        const CellBox& box = s.covered(zone);
+        for (int k = 0; k < 12; ++k) {
+          const FlowState q = s.at(box.i0 - 1, box.j0 + k);
+          const double u = q.h > 1e-9 ? q.hu / q.h : 0.0, in = std::max(0.0, q.hu);
+          s.impose(zone, SideName::upstream, k, {in, in * u, 0});
+        }
+      }
+      s.step(std::min(0.01, end - s.time()));
+    }
+  };
+  const auto finest_along = [&](const CellBox& zone) {
+    for (const BlockPlace& b : s.blocks()) {
+      const int at = b.level, i0 = b.i0 >> at, i1 = (b.i0 + b.nx) >> at, j0 = b.j0 >> at, j1 = (b.j0 + b.ny) >> at;
+      const bool meets = i0 <= zone.i1 && i1 >= zone.i0 && j0 <= zone.j1 && j1 >= zone.j0;
+      const bool within = i0 > zone.i0 && i1 < zone.i1 && j0 > zone.j0 && j1 < zone.j1;
+      if (meets && !within && at < 1) return false;
+    }
+    return true;
+  };
+  draw_until(0.15);
+  EXPECT_TRUE(finest_along(s.covered(0)) && finest_along(s.covered(1)));
+  EXPECT_LT(s.budget().mass_zone, -1e-3 * before);
+  EXPECT_NEAR(s.volume(), before - covered + s.budget().mass_zone + s.budget().mass_boundary, 2e-14 * before);
+  const double open = s.volume();
+  s.move_zone(1, {44, 56, 28, 40});
+  covered += open - s.volume();
+  draw_until(0.25);
+  EXPECT_TRUE(finest_along(s.covered(0)) && finest_along(s.covered(1)));
+  EXPECT_NEAR(s.volume(), before - covered + s.budget().mass_zone + s.budget().mass_boundary, 2e-14 * before);
+  EXPECT_GE(s.min_depth(), 0);
+}
+
 TEST(AdaptiveRefinement, CheckpointContinuesToTheSameBits) {
   Solver whole = heap_on_chute(adaptive(chute(), 2));
   whole.advance_to(0.2);

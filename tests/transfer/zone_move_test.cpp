@@ -43,10 +43,7 @@ struct Bench {
   double mass() const { return solver.volume() * table.bulk_density() + zone->grains_mass(grains) + zone->faces_mass(); }
   Zone::Moved move(const CellBox& box) {
     auto next = std::make_unique<Zone>(at(box), solver.grid(), surface, table);
-    const auto moved = next->take_from(*zone, grains, solver, [&] {
-      solver.uncover();
-      solver.cover(box);
-    });
+    const auto moved = next->take_from(*zone, grains, solver);
     zone = std::move(next);
     window();
     return moved;
