@@ -75,6 +75,7 @@ class Setup:
     ranks: int
     timeout: float
     work_dir: str
+    tangential_damping: bool = True
 
 
 @dataclass
