@@ -130,9 +130,8 @@ namespace {
 
 // [kg/s/m] through a slot in the floor from 0.08 s, when it flows, to `end`, before the surface comes near.
 double discharge(const std::string& worker, const std::string& folder, const Packing& packing, double slot, double length,
-                 double height, double end = 0.25, double rolling_friction = 0.15) {
+                 double height, double end = 0.25) {
   EngineSetup setup = channel(folder, length, height + 8 * d);
-  setup.rolling_friction = rolling_friction;
   const double middle = 0.5 * length, half = 0.5 * slot;
   setup.surfaces = {level("left floor", 0, middle - half), level("right floor", middle + half, length),
                     upright("left", 0, height + 4 * d, 0.5), upright("right", length, height + 4 * d, 0.5)};
