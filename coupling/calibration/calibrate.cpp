@@ -45,7 +45,7 @@ class Calibration {
     CalibrationRecord& r = record_;
     r.material = task_.material;
     r.source = task_.source;
-    r.contact = to_string(s.contact);
+    r.contact = contact_name(s.contact, s.tangential_damping);
     r.rotation = to_string(s.rotation);
     r.diameter = s.diameter;
     r.spread = s.spread;

@@ -39,6 +39,10 @@ const char* to_string(ContactLaw law) {
   return law == ContactLaw::hertz ? "hertz" : "kelvin_voigt";
 }
 
+std::string contact_name(ContactLaw law, bool tangential_damping) {
+  return std::string(to_string(law)) + (tangential_damping ? "" : "-undamped");
+}
+
 double damping_ratio(double restitution) {
   if (restitution >= 1) return 0;
   double low = 0, high = 100;
@@ -47,6 +51,11 @@ double damping_ratio(double restitution) {
     (restitution_of(middle) > restitution ? low : high) = middle;
   }
   return 0.5 * (low + high);
+}
+
+double restitution_with_tension(double restitution) {
+  const double D = damping_ratio(restitution);
+  return D < 1 ? std::exp(-pi * D / std::sqrt(1 - D * D)) : 0;
 }
 
 LinearContact linear_contact(const GrainStiffness& g, double restitution) {

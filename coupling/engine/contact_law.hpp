@@ -11,6 +11,9 @@ enum class ContactLaw { hertz, kelvin_voigt };
 ContactLaw contact_law(const std::string& name);
 const char* to_string(ContactLaw);
 
+// The law's name where it is told apart from others: hertz, or hertz-undamped without damping along its contacts.
+std::string contact_name(ContactLaw, bool tangential_damping);
+
 // The dissertation's law (section 4.3): a spring beside a damper, along the normal and along the contact's plane,
 //
 //   F_n = max(0, k_n d + c_n d'),   F_t = k_t s + c_t s',   |k_t s| <= mu F_n (4.10)
@@ -37,6 +40,12 @@ LinearContact linear_contact(const GrainStiffness&, double restitution);
 // c / (2 sqrt(m k)) of a spring and damper without tension that give this restitution, in 0.05..1: Schwager & Poeschel,
 // Granular Matter 9 (2007) 465, eq. (21), solved for it.
 double damping_ratio(double restitution);
+
+// What a contact that may pull at its end gives, exp(-pi D / sqrt(1 - D^2)), where one that may not, with the same damping ratio
+// D, gives `restitution`, above 0.136 (D < 1). Both for a linear spring and for LIGGGHTS's hertz, whose damping goes with the
+// fourth root of the overlap: with y = d^(5/4) it is a linear one in the plane of y and velocity (Antypov & Elliott, EPL 94
+// (2011) 50004).
+double restitution_with_tension(double restitution);
 
 // [s] that resolves the asked restitution: hertz 0.16 of the Rayleigh time of the smallest grain (measured: 0.30 misses it);
 // kelvin_voigt a twentieth of the contact time pi sqrt(m / 2 k_n) of two such grains.

@@ -74,8 +74,9 @@ struct EngineSetup {
   std::vector<EngineSurface> surfaces;
   std::vector<DriveFace> faces;
   int ranks = 1;
-  double timeout = 120;  // [s]
-  std::string work_dir;  // meshes, logs; must exist
+  double timeout = 120;            // [s]
+  std::string work_dir;            // meshes, logs; must exist
+  bool tangential_damping = true;  // false: no damper along contacts, and none pulls; restitution as asked
 };
 
 struct NewGrain {

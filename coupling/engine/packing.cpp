@@ -151,6 +151,7 @@ EngineSetup grain_setup(const PackingSpec& s, const std::string& work_dir) {
   const GrainStiffness grain{s.diameter, s.spread, s.density, s.youngs_modulus, s.poisson_ratio};
   e.timestep = stable_timestep(s.contact, grain);
   e.contact = s.contact;
+  e.tangential_damping = s.tangential_damping;
   e.linear = linear_contact(grain, s.restitution);
   e.rotation = s.rotation;
   e.control = s.control;

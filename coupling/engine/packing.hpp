@@ -19,6 +19,7 @@ struct PackingSpec {
   ContactLaw contact = ContactLaw::hertz;
   Rotation rotation = Rotation::free;
   RotationControl control;  // of Rotation::control
+  bool tangential_damping = true;
 };
 
 struct Packing {

@@ -22,7 +22,8 @@ std::string describe(const PackingSpec& s) {
       "rolling_friction {:.17g} base_rolling_friction {:.17g} restitution {:.17g} youngs_modulus {:.17g} poisson_ratio {:.17g} "
       "density {:.17g} contact {}",
       s.diameter, s.spread, s.length, s.width, s.depth, s.seed, s.friction, s.base_friction, s.rolling_friction,
-      s.base_rolling_friction, s.restitution, s.youngs_modulus, s.poisson_ratio, s.density, to_string(s.contact));
+      s.base_rolling_friction, s.restitution, s.youngs_modulus, s.poisson_ratio, s.density,
+      contact_name(s.contact, s.tangential_damping));
   if (s.rotation != Rotation::free) text += fmt::format(" rotation {}", to_string(s.rotation));
   if (s.rotation == Rotation::control) {
     const RotationControl& c = s.control;

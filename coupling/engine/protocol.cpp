@@ -42,7 +42,7 @@ template <class A>
 void fields(A& a, EngineSetup& s) {
   a(s.timestep, s.gravity, s.lo, s.hi, s.periodic, s.density, s.max_radius, s.skin, s.friction, s.rolling_friction, s.restitution,
     s.youngs_modulus, s.poisson_ratio, s.contact, s.linear, s.rotation, s.control, s.surfaces, s.faces, s.ranks, s.timeout,
-    s.work_dir);
+    s.work_dir, s.tangential_damping);
 }
 template <class A>
 void fields(A& a, NewGrain& s) {

@@ -55,6 +55,7 @@ EngineSetup material_setup(const Scene& s, const ReferenceSurface& surface, doub
   setup.youngs_modulus = m.youngs_modulus;
   setup.poisson_ratio = m.poisson_ratio;
   setup.contact = contact_law(s.grains.contact);
+  setup.tangential_damping = s.grains.tangential_damping;
   setup.rotation = rotation(s.grains.rotation);
   setup.control = rotation_control(s);
   setup.linear = linear_contact(grain_stiffness(s, density), m.restitution);
@@ -165,6 +166,7 @@ PackingSpec packing_spec(const Scene& s, double depth) {
   spec.poisson_ratio = m.poisson_ratio;
   spec.density = expected_grain_density(s);
   spec.contact = contact_law(s.grains.contact);
+  spec.tangential_damping = s.grains.tangential_damping;
   spec.rotation = rotation(s.grains.rotation);
   spec.control = rotation_control(s);
   return spec;

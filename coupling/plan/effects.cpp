@@ -191,7 +191,8 @@ struct Listing {
   Effect grain_engine() const {
     if (!grains) return {"grain_engine", false, mode + ": no engine is started"};
     return {"grain_engine", true,
-            fmt::format("{}: {}, contact {}, grains of {}, {} rank{}", mode, s.grains.engine, s.grains.contact,
+            fmt::format("{}: {}, contact {}, grains of {}, {} rank{}", mode, s.grains.engine,
+                        s.grains.contact + (s.grains.tangential_damping ? "" : " without tangential damping"),
                         len(s.grains.diameter), s.grains.ranks, s.grains.ranks == 1 ? "" : "s")};
   }
 

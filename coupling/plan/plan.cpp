@@ -191,7 +191,8 @@ void warn(Plan& plan, const Scene& scene) {
         mu, rolling));
   }
   const Material& m = scene.material;
-  if (const std::string own = calibration_name(m.name, g.engine, g.contact, g.rotation, d);
+  if (const std::string own =
+          calibration_name(m.name, g.engine, contact_name(contact_law(g.contact), g.tangential_damping), g.rotation, d);
       !m.calibration.empty() && m.calibration != own) {
     say(
         fmt::format("The material's frictions are of the record {}, these grains would be {}: they may show other angles "

@@ -171,6 +171,7 @@ struct RotationSpec {
 struct GrainSpec {
   std::string engine = "liggghts";  // | yade
   std::string contact = "hertz";    // | kelvin_voigt
+  bool tangential_damping = true;   // off: contacts slide as Coulomb's law says
   std::string rotation = "free";    // | blocked | control
   RotationSpec control;             // of rotation: control
   int ranks = 1;

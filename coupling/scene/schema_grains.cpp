@@ -89,6 +89,11 @@ void add_grains(Keys& k) {
              "how grains push: hertz, Hertz-Mindlin with rolling friction; kelvin_voigt, the dissertation's spring and damper "
              "(section 4.3) with Coulomb friction and without tension or rolling friction, its stiffness E d / (20 (1 - nu^2))",
              {"hertz", "kelvin_voigt"}, at(&GrainSpec::contact)));
+  k.add(choice(
+      "grains.tangential_damping",
+      "the damper along a contact, which pulls beside the spring until that has come to Coulomb's limit; off: a grain that "
+      "slides on impact loses mu (1 + e) v_n and no more, and liggghts's hertz does not pull at a contact's end",
+      {"off", "on"}, at(&GrainSpec::tangential_damping)));
   add_rotation(k);
   k.add(integer("grains.ranks", "MPI ranks of the engine", at(&GrainSpec::ranks)).within(1, 1024));
   k.add(number("grains.diameter", length, "mean diameter of a simulated grain", at(&GrainSpec::diameter)).above(0).optional());

@@ -63,8 +63,11 @@ std::vector<std::string> liggghts_script(const EngineSetup& s, const std::string
   const bool hertz = s.contact == ContactLaw::hertz;
   const std::string model =
       hertz ? "model hertz tangential history rolling_friction epsd2" : "model hooke/stiffness tangential history";
-  // Behind the model's name, and of a wall's behind its meshes.
-  const std::string settings = hertz ? "" : " absolute_damping on limitForce on";
+  // Behind the model's name, and of a wall's behind its meshes. Where hertz pulls, friction acts on: Coulomb's limit takes |F_n|.
+  const bool undamped = !s.tangential_damping;
+  const std::string settings = std::string(hertz ? "" : " absolute_damping on") + (hertz && !undamped ? "" : " limitForce on") +
+                               (undamped ? " tangential_damping off" : "");
+  const double restitution = hertz && undamped ? restitution_with_tension(s.restitution) : s.restitution;
   const auto side = [&](int k) { return s.periodic[k] ? "p" : "f"; };
   std::vector<std::string> script = {
       "units si",
@@ -89,7 +92,7 @@ std::vector<std::string> liggghts_script(const EngineSetup& s, const std::string
   script.push_back(fmt::format("neigh_modify delay 0 binsize {:.17g}", 2 * s.max_radius + skin));
   script.push_back(type_property("material_1", "youngsModulus", s, s.youngs_modulus));
   script.push_back(type_property("material_2", "poissonsRatio", s, s.poisson_ratio));
-  script.push_back(pair_property("material_3", "coefficientRestitution", s, s.restitution, s.restitution));
+  script.push_back(pair_property("material_3", "coefficientRestitution", s, restitution, restitution));
   script.push_back(pair_property("material_4", "coefficientFriction", s, s.friction, &EngineSurface::friction));
   script.push_back(
       pair_property("material_5", "coefficientRollingFriction", s, s.rolling_friction, &EngineSurface::rolling_friction));

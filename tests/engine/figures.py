@@ -53,6 +53,9 @@ def picture(series, out):
     panel(axes[0, 2], series, "rolling: speed", "hertz", "rolling for 0.08 s, rolling friction 0.05", "inclination [deg]", "speed [m/s]")
     panel(axes[1, 0], series, "gross sliding: speed lost", "kelvin_voigt", "gross sliding, friction 0.3, v_n = 0.2 m/s",
           "restitution asked", "speed lost [m/s]")
+    for engine, look in LOOKS.items():
+        if (rows := series.get(("undamped: speed lost", engine, "kelvin_voigt"))) is not None:
+            axes[1, 0].plot(rows[:, 0], rows[:, 1], ls="none", label=f"{engine}, undamped", **{**look, "color": "tab:green"})
     rows = series["sliding: linear law alone", "liggghts", "kelvin_voigt"]
     axes[1, 0].plot(rows[:, 0], rows[:, 2], "k--", lw=1, label="the law with its shear damper")
     panel(axes[1, 1], series, "silo: rate [kg/s/m]", "hertz", "silo's slot; theory: C = 1.03, k = 1.4", "slot over diameter",

@@ -13,12 +13,14 @@ TEST(Protocol, SetupGoesThereAndBack) {
   in.setup = test::box("/somewhere");
   in.setup.periodic = {true, false, true};
   in.setup.faces = {{{1, 2, 3}, {1, 0, 0}, {0, 1, 0}, 0.01, 3, 0.004, 0.008}};
+  in.setup.tangential_damping = false;
   in.restore = "file";
   protocol::decode(protocol::encode(in), out);
   EXPECT_EQ(out.restore, "file");
   EXPECT_EQ(out.setup.work_dir, "/somewhere");
   EXPECT_EQ(out.setup.timestep, in.setup.timestep);
   EXPECT_EQ(out.setup.periodic, in.setup.periodic);
+  EXPECT_FALSE(out.setup.tangential_damping);
   ASSERT_EQ(out.setup.surfaces.size(), 5u);
   EXPECT_EQ(out.setup.surfaces[4].triangles[1].c, in.setup.surfaces[4].triangles[1].c);
   EXPECT_EQ(out.setup.surfaces[4].name, "y1");

@@ -79,6 +79,8 @@ TEST(Effects, OfOtherModes) {
 TEST(Effects, OfTheLinearContactLaw) {
   const Scene s = experiment("chiou_wall", {{"grains.contact", "kelvin_voigt"}, {"grains.engine", "yade"}});
   expect(s, "grain_engine", true, "mode is coupled: yade, contact kelvin_voigt, grains of 4 mm, 1 rank");
+  expect(experiment("chiou_wall", {{"grains.tangential_damping", "off"}}), "grain_engine", true,
+         "mode is coupled: liggghts, contact hertz without tangential damping, grains of 4 mm, 1 rank");
   expect(s, "rolling_friction", false, "grains.contact is kelvin_voigt, which has none");
   expect(s, "rotation_control", false, "grains.rotation is free: contacts alone turn a grain");
   const Scene blocked = experiment("chiou_wall", {{"grains.rotation", "blocked"}});

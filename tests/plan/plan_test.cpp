@@ -42,6 +42,8 @@ TEST(Plan, SaysWhereFrictionsAreNotThoseOfTheirCalibration) {
               Contains(HasSubstr("0.445 is above 0.4 and the rolling friction between grains, 0.15, below 0.4")));
   EXPECT_THAT(warnings({{"grains.diameter", "6 mm"}, {"grains.engine", "yade"}, {"grains.rotation", "blocked"}}),
               Contains(HasSubstr("of the record vestolen-liggghts-4mm, these grains would be vestolen-yade-6mm-blocked")));
+  EXPECT_THAT(warnings({{"grains.tangential_damping", "off"}}),
+              Contains(HasSubstr("these grains would be vestolen-liggghts-4mm-hertz-undamped")));
   EXPECT_THAT(warnings({{"mode", "continuum"}, {"grains.diameter", "6 mm"}}), Not(Contains(HasSubstr("of the record"))));
 }
 

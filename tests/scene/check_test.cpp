@@ -90,6 +90,32 @@ TEST_F(Check, YadeRunsOnOneRank) {
   EXPECT_THAT(error(good_scene, {{"grains.contact", "hooke"}}), testing::HasSubstr("hertz, kelvin_voigt"));
 }
 
+TEST_F(Check, EveryPackingHasASeed) {
+  EXPECT_EQ(error(good_scene, {{"grains.seed", "2147483645"}, {"grains.replicates", "3"}}), "");
+  EXPECT_EQ(error(good_scene, {{"grains.seed", "2147483646"}, {"grains.replicates", "3"}}),
+            "--set grains.seed: grains.seed is 2147483646, but 3 packings have seeds from it upward, up to 2147483647 at most; "
+            "lower it "
+            "to 2147483645 or less");
+  EXPECT_EQ(error(good_scene, {{"grains.seed", "2147483647"}}), "");
+}
+
+TEST_F(Check, UndampedContactsHaveALeastRestitution) {
+  const Overrides off{{"grains.tangential_damping", "off"}};
+  const auto with = [&](Overrides more) {
+    more.insert(more.begin(), off.begin(), off.end());
+    return error(good_scene, more);
+  };
+  EXPECT_EQ(with({}), "");
+  EXPECT_EQ(with({{"grains.restitution", "0.22"}}), "");
+  EXPECT_EQ(with({{"grains.restitution", "0.2"}}),
+            "--set grains.tangential_damping: grains.tangential_damping is off where the restitution is 0.2: LIGGGHTS's hertz "
+            "then takes "
+            "no less than 0.22; raise the restitution, leave tangential_damping out, or use grains.contact: kelvin_voigt");
+  EXPECT_EQ(with({{"grains.restitution", "0.2"}, {"grains.contact", "kelvin_voigt"}}), "");
+  EXPECT_EQ(error(good_scene, {{"grains.restitution", "0.2"}}), "");
+  EXPECT_THAT(error(good_scene, {{"grains.tangential_damping", "0.5"}}), testing::HasSubstr("off, on"));
+}
+
 TEST_F(Check, RotationControlAgreesWithItself) {
   const std::string control = "grains.rotation.control.";
   const Overrides given = {{control + "retarding_time", "5 ms"}};

@@ -104,10 +104,11 @@ class FrontDoor(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr, self.told("apt")), (0, "", []))
 
     def test_yade_only_where_it_is_asked_for(self):
-        scene = self.dir / "yade.yaml"
-        scene.write_text("grains:\n  engine: yade\n")
+        scene, other = self.dir / "yade.yaml", self.dir / "scene.yml"
+        for file in (scene, other):
+            file.write_text("grains:\n  engine: yade\n")
         for words in (["run", "a.yaml", "--set", "grains.engine=yade"], ["calibrate", "quartz", "--engine", "yade"],
-                      ["calibrate", "quartz", "--engine=yade"], ["run", scene], ["run", self.dir]):
+                      ["calibrate", "quartz", "--engine=yade"], ["run", scene], ["run", other], ["run", self.dir]):
             (self.state / "installed").write_text("")
             (self.state / "apt").unlink(missing_ok=True)
             self.assertEqual(self.couloir(*words).returncode, 0)

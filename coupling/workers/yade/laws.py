@@ -22,10 +22,10 @@ def materials(setup):
     if setup.contact == "hertz":
         common = {"young": setup.youngs_modulus, "poisson": setup.poisson_ratio, "density": setup.density}
         return [PartialSatMat(**common)] + [FrictMat(**common) for _ in setup.surfaces]
-    c = setup.linear
+    c, along = setup.linear, 1.0 if setup.tangential_damping else 0.0
 
     def material(damping, shear_damping):
-        return ViscElMat(kn=2 * c.stiffness, ks=2 * c.shear_stiffness, cn=damping, cs=shear_damping, density=setup.density)
+        return ViscElMat(kn=2 * c.stiffness, ks=2 * c.shear_stiffness, cn=damping, cs=along * shear_damping, density=setup.density)
 
     return [material(2 * c.damping, 2 * c.shear_damping)] + [
         material(in_series(c.surface_damping, 2 * c.damping), in_series(c.surface_shear_damping, 2 * c.shear_damping))
@@ -44,7 +44,7 @@ def interaction_loop(setup, ids):
     geometry = [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom(hertzian=setup.contact == "hertz")]
     if setup.contact == "kelvin_voigt":
         return InteractionLoop(geometry, [Ip2_ViscElMat_ViscElMat_ViscElPhys(frictAngle=friction)], [Law2_ScGeom_ViscElPhys_Basic()])
-    common = {"en": setup.restitution, "es": setup.restitution, "frictAngle": friction}
+    common = {"en": setup.restitution, "es": setup.restitution if setup.tangential_damping else 1.0, "frictAngle": friction}
     # Two radii of a pair of equal grains have the mean r and R* = r / 2.
     grains = Ip2_PartialSatMat_PartialSatMat_MindlinPhys(
         eta=setup.rolling_friction / 2, krot=rolling_stiffness(setup, setup.rolling_friction, 0.5 * setup.max_radius), **common)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import msgpack
 import numpy as np
 
-VERSION = 5
+VERSION = 6
 HELLO, START, STARTED, ADVANCE, CHECKPOINT, STOP, DONE, HEARTBEAT, ADVANCED, FAILED = range(10)
 CONTACT_LAWS = ("hertz", "kelvin_voigt")
 ROTATIONS = ("free", "blocked", "control")
@@ -75,6 +75,7 @@ class Setup:
     ranks: int
     timeout: float
     work_dir: str
+    tangential_damping: bool = True
 
 
 @dataclass
