@@ -105,6 +105,7 @@ struct AdvanceRequest {
   std::vector<std::int64_t> remove;               // removed before it; an unknown id is an EngineError
   std::vector<std::vector<SegmentDrive>> drives;  // [face][segment]; empty: as before
   bool want_grains = true;                        // send the grains back
+  std::int64_t sample_steps = 0;                  // > 0: send the forces on surfaces as means over so many steps, too
 };
 
 struct SegmentReport {
@@ -134,6 +135,9 @@ struct Advanced {
   double kinetic_energy = 0;  // [J] of motion and spin
   double max_overlap = 0;     // [-] largest overlap over mean diameter of the pair, at the last step
   double cpu = 0;             // [s] of all ranks in this advance
+  // [N] [surface][n]: mean over the n-th sample_steps steps, weighted as surface_force: where sample_steps divides the steps
+  // their mean is surface_force to round-off. Steps left over at the end have none.
+  std::vector<std::vector<Vec>> surface_force_samples;
 };
 
 class GrainEngine {

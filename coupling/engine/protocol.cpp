@@ -54,7 +54,7 @@ void fields(A& a, SegmentDrive& s) {
 }
 template <class A>
 void fields(A& a, AdvanceRequest& s) {
-  a(s.steps, s.insert, s.remove, s.drives, s.want_grains);
+  a(s.steps, s.insert, s.remove, s.drives, s.want_grains, s.sample_steps);
 }
 template <class A>
 void fields(A& a, SegmentReport& s) {
@@ -66,7 +66,8 @@ void fields(A& a, Grains& s) {
 }
 template <class A>
 void fields(A& a, Advanced& s) {
-  a(s.step, s.grains, s.surface_force, s.surface_force_last, s.segments, s.drive_impulse, s.kinetic_energy, s.max_overlap, s.cpu);
+  a(s.step, s.grains, s.surface_force, s.surface_force_last, s.segments, s.drive_impulse, s.kinetic_energy, s.max_overlap, s.cpu,
+    s.surface_force_samples);
 }
 template <class A>
 void fields(A& a, Hello& s) {

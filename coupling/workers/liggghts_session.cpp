@@ -118,7 +118,7 @@ Advanced Session::advance(const AdvanceRequest& request) {
   std::sort(order.remove.begin(), order.remove.end());
   grains_ += static_cast<std::int64_t>(request.insert.size()) - static_cast<std::int64_t>(request.remove.size());
 
-  probe_->begin_window();
+  probe_->begin_window(request.sample_steps);
   drive_->begin_window(request.drives);
   exchange_->set(std::move(order), drive_);
   if (request.steps > 0) run(request.steps);
@@ -140,6 +140,7 @@ void Session::check(const AdvanceRequest& request) const {
   if (request.steps < 0 || request.steps > std::numeric_limits<int>::max() || (request.steps == 0 && exchange)) {
     refuse(fmt::format("an advance over {} steps is not possible", request.steps));
   }
+  if (request.sample_steps < 0) refuse(fmt::format("a mean over {} steps is not possible", request.sample_steps));
   for (const NewGrain& g : request.insert) {
     if (g.id <= 0 || g.id > std::numeric_limits<int>::max())
       refuse(fmt::format("a grain's id must be in 1..2147483647, not {}", g.id));

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import msgpack
 import numpy as np
 
-VERSION = 4
+VERSION = 5
 HELLO, START, STARTED, ADVANCE, CHECKPOINT, STOP, DONE, HEARTBEAT, ADVANCED, FAILED = range(10)
 CONTACT_LAWS = ("hertz", "kelvin_voigt")
 ROTATIONS = ("free", "blocked", "control")
@@ -106,6 +106,7 @@ class Request:
     remove: np.ndarray
     drives: list  # [face][segment]; empty: as before
     want_grains: bool
+    sample_steps: int = 0
 
 
 def unpack(message):
@@ -138,9 +139,9 @@ def start(body):
 
 
 def request(body):
-    steps, insert, remove, drives, want_grains = body
+    steps, insert, remove, drives, want_grains, sample_steps = body
     return Request(steps, [NewGrain(*g) for g in insert], np.frombuffer(remove, np.int64),
-                   [[Drive(*d) for d in face] for face in drives], want_grains)
+                   [[Drive(*d) for d in face] for face in drives], want_grains, sample_steps)
 
 
 def block(values, kind=float):
