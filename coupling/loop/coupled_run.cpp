@@ -47,6 +47,8 @@ class CoupledRun : public ModeRun {
     begin.stress_gauges = gauges_ = stress_gauges(scene_, &box_);
     begin.effects = make_plan(scene_).effects;
     begin.bulk_density = flow_->density();
+    begin.window = clock_->length(1);
+    begin.sample_interval = grains_->sample_interval();
     return begin;
   }
 
@@ -58,8 +60,10 @@ class CoupledRun : public ModeRun {
                             settings_.box.j1 == grid.ny};
     std::array<bool, 4> open{};
     for (int q = 0; q < 4; ++q) open[q] = touches[q] && scene_.sides[q].open();
-    edge_ =
-        std::make_unique<DomainEdge>(open, scene_.terrain.total_length(), scene_.terrain.width, grains_->table().grain_density());
+    along_ = surface_.tangent(0.5 * (box_.x0 + box_.x1));
+    grains_->look_along(along_);
+    edge_ = std::make_unique<DomainEdge>(open, scene_.terrain.total_length(), scene_.terrain.width,
+                                         grains_->table().grain_density(), along_);
     settings_.rim.diameter = scene_.grains.diameter;
     settings_.gravity = scene_.gravity;
     settings_.periodic_y =
@@ -90,9 +94,13 @@ class CoupledRun : public ModeRun {
     const double before = flow_->solver().volume();
     first_ = zone_->take_over(flow_->solver());
     grains_->start(zone_setup(), gauges_);
-    for (const NewGrain& g : first_)
-      if (!zone_->is_shadow(g.id)) grain_momentum_ += grains_->table().grain_mass(g.radius) * g.velocity[0];
-    flow_momentum_jump_ = true;
+    for (const NewGrain& g : first_) {
+      if (zone_->is_shadow(g.id)) continue;
+      grain_mass_ += grains_->table().grain_mass(g.radius);
+      grain_momentum_ += grains_->table().grain_mass(g.radius) * along_.dot(Eigen::Vector3d::Map(g.velocity.data()));
+    }
+    grain_momentum_ += zone_->faces_momentum();
+    flow_->forget_covered();  // it has become the grains' by no force
     tell(time,
          fmt::format("grains start: the flow is within reach of the zone x {:.3f}..{:.3f} m, y {:.3f}..{:.3f} m; {} grains "
                      "replace {:.4g} kg of flow in it",
@@ -111,10 +119,6 @@ class CoupledRun : public ModeRun {
     cpu_continuum_ = flow_->cpu();
     if (zone_) advance_grains();
     flow_->report(w);
-    if (flow_momentum_jump_) {  // what the zone covered has left the solver and is in the grains: no force did that
-      w.momentum.storage = 0;
-      w.momentum.gravity = w.momentum.bed = w.momentum.boundary = w.momentum.obstacles = 0;
-    }
     w.momentum.faces = 0;  // both sides of the faces are in the ledger: what they do not give each other is the residual
     for (int k = 0; k < int(scene_.obstacles.size()); ++k) {
       const bool by_grains = zone_ && grains_->has_obstacle(k);
@@ -123,9 +127,10 @@ class CoupledRun : public ModeRun {
         const double depth = force.depth_on_top;
         force = grains_->force(k);
         force.depth_on_top = depth;
-        if (!flow_momentum_jump_) w.momentum.obstacles += grains_->impulse_x(k);
+        w.momentum.obstacles += grains_->impulse(k);
       }
       w.obstacles.push_back(force);
+      w.force_samples.push_back(by_grains ? grains_->force_samples(k) : std::vector<double>());
       w.overtopped += flow_->overtopped(k) + grains_->overtopped(k);
     }
     double momentum = flow_->momentum();
@@ -138,13 +143,12 @@ class CoupledRun : public ModeRun {
       w.mass.grains = grain_mass_;
       w.mass.faces = zone_->faces_mass();
       w.mass.left_domain += edge_->mass();
-      if (!flow_momentum_jump_) {
-        w.momentum.storage += grain_momentum + faces_momentum - grain_momentum_;
-        w.momentum.gravity += 0.5 * (mass_before + grain_mass_) * scene_.gravity * surface_.gravity_direction().x() * w.length;
-        w.momentum.bed += grains_->impulse_x("bed");
-        w.momentum.boundary -= edge_->momentum() - left_momentum_;
-        for (const char* side : side_surfaces) w.momentum.boundary += grains_->impulse_x(side);
-      }
+      w.momentum.storage += grain_momentum + faces_momentum - grain_momentum_;
+      w.momentum.gravity +=
+          0.5 * (mass_before + grain_mass_) * scene_.gravity * surface_.gravity_direction().dot(along_) * w.length;
+      w.momentum.bed += grains_->impulse("bed");
+      w.momentum.boundary -= edge_->momentum() - left_momentum_;
+      for (const char* side : side_surfaces) w.momentum.boundary += grains_->impulse(side);
       left_momentum_ = edge_->momentum();
       grain_momentum_ = grain_momentum + faces_momentum;
       momentum += grain_momentum_;
@@ -157,7 +161,6 @@ class CoupledRun : public ModeRun {
     }
     for (const GaugeSpec& gauge : scene_.record.gauges)
       w.gauges.push_back(read_gauge(flow_->solver(), gauge, thin_depth(scene_)));
-    flow_momentum_jump_ = false;
     book_.close(w.momentum, momentum);
   }
 
@@ -183,7 +186,7 @@ class CoupledRun : public ModeRun {
 
   void state(Archive& a) override {
     bool begun = zone_ != nullptr;
-    a(*flow_, *grains_, *edge_, book_, begun, first_, grain_mass_, grain_momentum_, left_momentum_, flow_momentum_jump_);
+    a(*flow_, *grains_, *edge_, book_, begun, first_, grain_mass_, grain_momentum_, left_momentum_);
     if (a.loading() && begun) {
       make_zone();
       grains_->restore(zone_setup(), gauges_, engine_checkpoint());
@@ -203,12 +206,12 @@ class CoupledRun : public ModeRun {
   std::unique_ptr<DomainEdge> edge_;
   ZoneSettings settings_;
   ZoneBox box_;
+  Eigen::Vector3d along_;  // the slope in the zone
   std::vector<NewGrain> first_;
   std::vector<ForceMeasure> measures_;
   std::vector<StressGauge> gauges_;
   MomentumBook book_;
   double grain_mass_ = 0, grain_momentum_ = 0, left_momentum_ = 0;
-  bool flow_momentum_jump_ = false;
 };
 
 }  // namespace

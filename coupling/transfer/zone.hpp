@@ -52,8 +52,8 @@ class Zone {
   const CoarseGrained& field() const { return field_; }
   // Between two windows; into a zone of the same settings. The solver's covered cells are the solver's.
   void state(Archive& a) {
-    a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, lent_, remainder_, next_id_, steps_, window_,
-      inserted_, fresh_);
+    a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, lent_, lent_momentum_, remainder_, next_id_, steps_,
+      window_, inserted_, fresh_);
   }
 
  private:
@@ -86,6 +86,7 @@ class Zone {
   std::vector<std::int64_t> remove_;
   std::vector<NewGrain> layer_;  // driven grains after the last window, for the overlap test
   double lent_ = 0;              // [kg] the driven layers' first filling
+  double lent_momentum_ = 0;     // [N s] along x, of it
   double remainder_ = 0;         // [kg] left over from filling with whole grains
   std::int64_t next_id_ = 1, steps_ = 0;
   double window_ = 0;  // [s]
