@@ -80,6 +80,10 @@ class Run:
         stresses = self.file["stresses"].items() if "stresses" in self.file else ()
         self.stresses = {(of, name): {key: data[()] for key, data in gauge.items()}
                          for of, gauges in stresses for name, gauge in gauges.items()}
+        samples = self.file["force_samples"].items() if "force_samples" in self.file else ()
+        # (force [N], interval [s], window [s]) by obstacle: the force within windows.
+        self.samples = {name: (group["fx"][()], float(group.attrs["interval"]), float(group.attrs["window"]))
+                        for name, group in samples}
         self._depths = {}
         self.events = list(zip(self.file["events/time"][()], self.file["events/text"].asstr()[()]))
 

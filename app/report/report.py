@@ -13,7 +13,9 @@ from pathlib import Path
 
 import budgets
 import compare
+import control_volume
 import figures
+import spectra
 import stresses
 from page import cards, effects_table, events_table, figures_table, number, page, picture, section
 from read import MODES, NoRun, Run
@@ -52,7 +54,9 @@ def key_figures(runs, names):
     obstacles = list(dict.fromkeys(name for run in runs for name in run.obstacles))
     groups = [(f"Force on {o}, along the slope", [(what, unit, [run.figure(("obstacles", o, key)) for run in runs])
                                                   for what, unit, key in FORCES]) for o in obstacles]
+    groups.append(control_volume.group(runs))
     groups += stresses.groups(runs)
+    groups += spectra.groups(runs)
     for title, rows in GROUPS:
         shown = [run if wanted(run, title) else None for run in runs]
         groups.append((title, [(what, unit, [run.figure(path) if run else None for run in shown]) for what, unit, path in rows]))
@@ -111,6 +115,12 @@ def report_one(run, out):
                   (run.figure("grains.peak_count") or None, "", "grains at most"), (run.figure("time.wall"), "s", "time waited")])
     body += section("Forces", picture(figures.forces(run, out / "forces.png"),
                                       "Thin: mean of each coupling window. Thick: running mean of 15 ms, whose peak is quoted."))
+    body += section("One force by two measures", picture(control_volume.picture(run, out / "control_volume.png"),
+                                                         "What the obstacles feel, and what the material loses to them: gravity "
+                                                         "less bed, sides and storage."))
+    body += section("Spectrum", picture(spectra.picture([run], [run.mode], out / "spectrum.png"),
+                                        "Welch's estimate with Hann's weights. What is exchanged once a window would stand out at "
+                                        "the dashed lines."))
     body += section("Stresses", picture(stresses.one_run(run, out / "stresses.png"),
                                         "By the grains on parts of a front: into the face, along its height, across. Thick: "
                                         "running mean of 15 ms."))
@@ -181,6 +191,8 @@ def report_several(runs, out):
         verdict += (f" They cover different times, {number(min(covered), 3)} s to {number(max(covered), 3)} s: impulses, "
                     "means and forces at the end do not compare.")
     body = section("Forces", picture(compare.forces(runs, names, out / "forces.png"), "The force on each obstacle in all runs."))
+    body += section("Spectra", picture(spectra.picture(runs, names, out / "spectrum.png"),
+                                       "Welch's estimate with Hann's weights; dashed: the windows' frequency and its harmonics."))
     body += section("Stresses", picture(stresses.several(runs, names, out / "stresses.png"),
                                         "By the grains on parts of a front: running means of 15 ms."))
     body += section("Ratios", ratio_table(runs, names, best))

@@ -120,6 +120,7 @@ struct AdvanceRequest {
   std::vector<std::vector<SegmentDrive>> drives;  // [face][segment]; empty: as before
   bool want_grains = true;                        // send the grains back
   std::vector<RimMove> rim_moves;                 // one at most; before insert, whose faces and segments are the new ones
+  std::int64_t sample_steps = 0;                  // > 0: send the forces on surfaces as means over so many steps, too
 };
 
 struct SegmentReport {
@@ -152,6 +153,9 @@ struct Advanced {
   // [N] by all surfaces on the grains inside of all faces (yade: by the parts of surfaces whose middle is there), mean over this
   // advance.
   Vec zone_force{};
+  // [N] [surface][n]: mean over the n-th sample_steps steps, weighted as surface_force: where sample_steps divides the steps
+  // their mean is surface_force to round-off. Steps left over at the end have none.
+  std::vector<std::vector<Vec>> surface_force_samples;
 };
 
 class GrainEngine {

@@ -62,7 +62,7 @@ void fields(A& a, RimMove& s) {
 }
 template <class A>
 void fields(A& a, AdvanceRequest& s) {
-  a(s.steps, s.insert, s.remove, s.drives, s.want_grains, s.rim_moves);
+  a(s.steps, s.insert, s.remove, s.drives, s.want_grains, s.rim_moves, s.sample_steps);
 }
 template <class A>
 void fields(A& a, SegmentReport& s) {
@@ -75,7 +75,7 @@ void fields(A& a, Grains& s) {
 template <class A>
 void fields(A& a, Advanced& s) {
   a(s.step, s.grains, s.surface_force, s.surface_force_last, s.segments, s.drive_impulse, s.kinetic_energy, s.max_overlap, s.cpu,
-    s.zone_force);
+    s.zone_force, s.surface_force_samples);
 }
 template <class A>
 void fields(A& a, Hello& s) {

@@ -34,6 +34,7 @@ class ContinuumRun : public ModeRun {
     begin.measures = flow_->measure(scene_, surface_, {});
     begin.effects = make_plan(scene_).effects;
     begin.bulk_density = flow_->density();
+    begin.window = clock_->length(1);
     return begin;
   }
 

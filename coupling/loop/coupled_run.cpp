@@ -47,6 +47,8 @@ class CoupledRun : public ModeRun {
     begin.stress_gauges = gauges_ = stress_gauges(scene_, planned);
     begin.effects = make_plan(scene_).effects;
     begin.bulk_density = flow_->density();
+    begin.window = clock_->length(1);
+    begin.sample_interval = zones_.front()->grain_side().sample_interval();
     return begin;
   }
 
@@ -69,12 +71,6 @@ class CoupledRun : public ModeRun {
     for (const auto& zone : zones_) cpu_engine_ += zone->grain_side().cpu();
 
     flow_->report(w);
-    if (std::ranges::any_of(zones_, [](const auto& zone) { return zone->jumped(); })) {
-      // What a zone covers has changed sides: no force did that.
-      w.momentum.storage = 0;
-      w.momentum.gravity = w.momentum.bed = w.momentum.boundary = w.momentum.obstacles = 0;
-      for (auto& zone : zones_) zone->jump();
-    }
     w.momentum.faces = 0;  // both sides of the faces are in the ledger: what they do not give each other is the residual
     w.stresses.resize(gauges_.size());
     double momentum = flow_->momentum();
@@ -109,12 +105,14 @@ class CoupledRun : public ModeRun {
 
   void report_obstacle(int k, WindowReport& w) {
     ObstacleForce force = flow_->force(k, w.length);
+    w.force_samples.emplace_back();
     w.overtopped += flow_->overtopped(k);
     for (const auto& zone : zones_) {
       w.overtopped += zone->grain_side().overtopped(k);
       if (!zone->holds(k)) continue;
       const double depth = force.depth_on_top;
       force = zone->grain_side().force(k);
+      w.force_samples.back() = zone->grain_side().force_samples(k);
       force.depth_on_top = depth;
     }
     w.obstacles.push_back(force);

@@ -33,7 +33,9 @@ class FlowSide {
 
   // Ledger entries of the solver since the last call: mass state, momentum terms, counters.
   void report(WindowReport&);
-  double momentum() const;                           // [N s] along x, present
+  double momentum() const;  // [N s] along x, present
+  // Cells were covered: what they held is no storage of the next report.
+  void forget_covered() { momentum_before_ = momentum(); }
   ObstacleForce force(int obstacle, double window);  // mean since the last call for this obstacle
   // [kg] since the start, through the plane of its middle; where it is made of planes, over its upper edges.
   double overtopped(int obstacle) const;

@@ -10,6 +10,18 @@
 #include "coupling/plan/build.hpp"
 
 namespace couloir {
+namespace {
+
+// Samples of a window: enough for its third harmonic, few enough to keep.
+constexpr std::int64_t most_samples = 8;
+
+std::int64_t steps_of_a_sample(std::int64_t window) {
+  std::int64_t parts = std::min(most_samples, window);
+  while (window % parts != 0) --parts;
+  return window / parts;
+}
+
+}  // namespace
 
 GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const ReferenceSurface& surface, double depth,
                      const std::function<void(const std::string&)>& say)
@@ -24,6 +36,7 @@ GrainSide::GrainSide(const Scene& scene, const RunOptions& options, const Refere
       say);
   table_ = std::make_unique<PackingTable>(packing, grain_density(scene, packing));
   timestep_ = engine_timestep(scene, table_->grain_density());
+  sample_steps_ = steps_of_a_sample(scene.grains.window);
   for (const ObstacleSpec& o : scene.obstacles)
     overtopping_.emplace_back(o.crest_x(), o.crest_y() - 0.5 * o.crest_width(), o.crest_y() + 0.5 * o.crest_width(),
                               table_->grain_density());
@@ -113,7 +126,8 @@ void GrainSide::state(Archive& a) {
   a(overtopping_, cpu_, peak_, particle_steps_, steps_before_);
 }
 
-const Advanced& GrainSide::advance(const AdvanceRequest& request) {
+const Advanced& GrainSide::advance(AdvanceRequest request) {
+  request.sample_steps = sample_steps_;
   Advanced now;
   try {
     now = engine_->advance(request);
@@ -146,6 +160,18 @@ ObstacleForce GrainSide::force(int k) const {
   return out;
 }
 
+std::vector<double> GrainSide::force_samples(int k) const {
+  std::vector<double> out;
+  if (!running_ || last_.surface_force_samples.empty()) return out;
+  const Eigen::Vector3d along = surface_.tangent(scene_.obstacles[k].x);
+  for (const int s : surfaces_of_obstacle_[k]) {
+    const std::vector<Vec>& samples = last_.surface_force_samples[s];
+    out.resize(samples.size());
+    for (std::size_t n = 0; n < samples.size(); ++n) out[n] += Eigen::Vector3d::Map(samples[n].data()).dot(along);
+  }
+  return out;
+}
+
 std::vector<GaugeStress> GrainSide::stresses() const {
   std::vector<GaugeStress> out(gauges_.size());
   if (last_.surface_force.empty()) return out;
@@ -173,16 +199,20 @@ void GrainSide::add_wall_forces(const std::vector<ForceMeasure>& measures, std::
   }
 }
 
-double GrainSide::impulse_x(const std::string& surface) const {
+double GrainSide::impulse(const std::string& surface) const {
   for (std::size_t s = 0; s < setup_.surfaces.size() && s < last_.surface_force.size(); ++s)
-    if (setup_.surfaces[s].name == surface) return -last_.surface_force[s][0] * length_;
+    if (setup_.surfaces[s].name == surface) return -Eigen::Vector3d::Map(last_.surface_force[s].data()).dot(along_) * length_;
   return 0;
 }
 
-double GrainSide::impulse_x(int obstacle) const {
+double GrainSide::zone_impulse() const {
+  return Eigen::Vector3d::Map(last_.zone_force.data()).dot(along_) * length_;
+}
+
+double GrainSide::impulse(int obstacle) const {
   double impulse = 0;
   for (const int s : surfaces_of_obstacle_[obstacle])
-    if (!last_.surface_force.empty()) impulse -= last_.surface_force[s][0] * length_;
+    if (!last_.surface_force.empty()) impulse -= Eigen::Vector3d::Map(last_.surface_force[s].data()).dot(along_) * length_;
   return impulse;
 }
 

@@ -30,21 +30,25 @@ class GrainSide {
   void stay(std::int64_t steps) { length_ = double(steps) * timestep_; }  // a window at rest
   void rest_again(const EngineSetup&, const std::vector<StressGauge>&);   // after state(): without an engine
   bool running() const { return running_; }
-  const Advanced& advance(const AdvanceRequest&);
+  const Advanced& advance(AdvanceRequest);
   const Advanced& last() const { return last_; }
   std::string engine() const { return engine_name_; }
   GrainEngine& port() { return *engine_; }
 
   ObstacleForce force(int obstacle) const;  // of the last advance, all its parts; zero where the obstacle has no mesh
   bool has_obstacle(int obstacle) const { return !surfaces_of_obstacle_[obstacle].empty(); }
-  std::vector<GaugeStress> stresses() const;  // of the last advance, as the gauges given at the start
+  double sample_interval() const { return double(sample_steps_) * timestep_; }  // [s]
+  std::vector<double> force_samples(int obstacle) const;  // [N] along the slope, of the last advance; WindowReport has them
+  std::vector<GaugeStress> stresses() const;              // of the last advance, as the gauges given at the start
   double overtopped(int obstacle) const { return overtopping_[obstacle].mass(); }
   // Adds the last advance's forces on the domain's walls to the measures of kind "wall".
   void add_wall_forces(const std::vector<ForceMeasure>&, std::vector<std::array<double, 2>>& forces) const;
-  double impulse_x(const std::string& surface) const;  // [N s] on the grains in the last advance, by one surface
-  double impulse_x(int obstacle) const;                // likewise, by all parts of an obstacle
-  double zone_impulse_x() const { return last_.zone_force[0] * length_; }  // [N s] likewise, by all surfaces on those of the zone
-  double max_speed() const;                                                // [m/s]
+  // The direction that impulses are taken along: the tilted frame's X, or another that the zone's slope has.
+  void look_along(const Eigen::Vector3d& unit) { along_ = unit; }
+  double impulse(const std::string& surface) const;  // [N s] on the grains in the last advance, by one surface
+  double impulse(int obstacle) const;                // likewise, by all parts of an obstacle
+  double zone_impulse() const;                       // [N s] likewise, by all surfaces on those of the zone
+  double max_speed() const;                          // [m/s]
 
   std::int64_t steps() const { return steps_before_ + last_.step; }  // of all engines so far
   long peak() const { return peak_; }
@@ -75,6 +79,8 @@ class GrainSide {
   bool running_ = false;
   double timestep_ = 0, cpu_ = 0, length_ = 0;
   long peak_ = 0;
+  std::int64_t sample_steps_ = 0;
+  Eigen::Vector3d along_ = Eigen::Vector3d::UnitX();
   std::int64_t particle_steps_ = 0, steps_before_ = 0;
 };
 

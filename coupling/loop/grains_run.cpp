@@ -64,6 +64,8 @@ class GrainsRun : public ModeRun {
     begin.stress_gauges = gauges_;
     begin.effects = make_plan(scene_).effects;
     begin.bulk_density = side_->table().bulk_density();
+    begin.window = clock_->length(1);
+    begin.sample_interval = side_->sample_interval();
     return begin;
   }
 
@@ -90,13 +92,14 @@ class GrainsRun : public ModeRun {
     w.momentum.storage = momentum - momentum_before_;
     w.momentum.boundary = -(edge_->momentum() - left_before);
     w.momentum.gravity = mass_before() * scene_.gravity * surface_.gravity_direction().x() * w.length;
-    w.momentum.bed = side_->impulse_x("bed");
-    for (const char* side : side_surfaces) w.momentum.boundary += side_->impulse_x(side);
+    w.momentum.bed = side_->impulse("bed");
+    for (const char* side : side_surfaces) w.momentum.boundary += side_->impulse(side);
     for (int k = 0; k < int(scene_.obstacles.size()); ++k) {
-      w.momentum.obstacles += side_->impulse_x(k);
+      w.momentum.obstacles += side_->impulse(k);
       ObstacleForce force = side_->force(k);
       force.depth_on_top = depth_on_top(scene_.obstacles[k], a.grains);
       w.obstacles.push_back(force);
+      w.force_samples.push_back(side_->force_samples(k));
       w.overtopped += side_->overtopped(k);
     }
     w.measures.resize(measures_.size());

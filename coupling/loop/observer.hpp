@@ -53,8 +53,10 @@ struct RunStart {
   std::vector<ForceMeasure> measures;
   std::vector<StressGauge> stress_gauges;  // those that are read
   std::vector<Effect> effects;
-  double bulk_density = 0;  // [kg/m3] that both models use
-  bool resumed = false;     // from a checkpoint
+  double bulk_density = 0;     // [kg/m3] that both models use
+  double window = 0;           // [s] length of a coupling window; continuum mode: of a recorded interval
+  double sample_interval = 0;  // [s] of WindowReport::force_samples; 0: there are none
+  bool resumed = false;        // from a checkpoint
 };
 
 struct MassLedger {  // [kg]
@@ -68,6 +70,9 @@ struct MomentumLedger {  // [N s] along the slope in this window, tilted frame
   double storage = 0, gravity = 0, bed = 0, obstacles = 0, boundary = 0, faces = 0, copied = 0;
   double residual = 0;  // storage - all the others
   double scale = 0;     // what the residual is divided by: the largest momentum met so far
+  // [N s] to all obstacles together in this window: as their own forces have it, and by what the material lost (docs/forces.md).
+  double to_obstacles() const { return -obstacles; }
+  double lost_to_obstacles() const { return gravity + bed + boundary + copied - storage; }
 };
 
 struct ObstacleForce {
@@ -94,6 +99,9 @@ struct WindowReport {
   std::vector<GaugeReading> gauges;             // as the scene's record.gauges; empty in grains mode
   std::vector<std::array<double, 2>> measures;  // [N] mean over the window, (along, across) the slope; as RunStart::measures
   std::vector<GaugeStress> stresses;            // as RunStart::stress_gauges
+  // [N] along the slope on each obstacle, means over RunStart::sample_interval one after the other from the window's start;
+  // empty where no grains meet it.
+  std::vector<std::vector<double>> force_samples;
   long grains = 0, inserted = 0, returned = 0;  // now; since the start
   std::int64_t engine_steps = 0;
   std::int64_t solver_steps = 0, cell_updates = 0;
@@ -102,9 +110,14 @@ struct WindowReport {
   double max_speed = 0;            // [m/s] of grains and flow
   double min_depth = 0;            // [m]
   double overtopped = 0;           // [kg] net over all obstacles since the start
+
+  double force_together() const { return momentum.to_obstacles() / length; }                // [N] along the slope
+  double force_by_control_volume() const { return momentum.lost_to_obstacles() / length; }  // [N] likewise
+  // The obstacle's samples in this window; its mean throughout where it has none.
+  std::vector<double> samples_of(std::size_t obstacle, double interval) const;
   void state(Archive& a) {
-    a(time, length, index, mass, momentum, obstacles, gauges, measures, grains, inserted, returned, engine_steps, solver_steps,
-      cell_updates, levels, max_overlap, max_speed, min_depth, overtopped);
+    a(time, length, index, mass, momentum, obstacles, gauges, measures, stresses, force_samples, grains, inserted, returned,
+      engine_steps, solver_steps, cell_updates, levels, max_overlap, max_speed, min_depth, overtopped);
   }
 };
 

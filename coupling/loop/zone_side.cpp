@@ -27,7 +27,10 @@ ZoneSide::ZoneSide(const Scene& scene, const RunOptions& options, const std::str
   const bool touches[] = {widest.i0 == 0, widest.i1 == grid.nx, widest.j0 == 0, widest.j1 == grid.ny};
   std::array<bool, 4> open{};
   for (int q = 0; q < 4; ++q) open[q] = touches[q] && scene.sides[q].open();
-  edge_ = std::make_unique<DomainEdge>(open, scene.terrain.total_length(), scene.terrain.width, grains_->table().grain_density());
+  along_ = surface.tangent(0.5 * (planned.box.x0 + planned.box.x1));
+  grains_->look_along(along_);
+  edge_ = std::make_unique<DomainEdge>(open, scene.terrain.total_length(), scene.terrain.width, grains_->table().grain_density(),
+                                       along_);
   gauges_ = stress_gauges(scene, {planned});
 }
 
@@ -90,12 +93,26 @@ void ZoneSide::follow() {
   if (const auto wanted = watch_->look(*zone_, flow_.solver(), flow_.solver().grid(), length_)) move(*wanted);
 }
 
+// After what the zone holds has changed sides by no force.
+void ZoneSide::take_stock() {
+  flow_.forget_covered();
+  const Grains& g = grains_->last().grains;
+  mass_ = zone_->grains_mass(g);
+  momentum_ = zone_->grains_momentum(g) + zone_->faces_momentum();
+  for (const NewGrain& n : first_.empty() ? zone_->to_insert() : first_) {
+    if (zone_->is_shadow(n.id)) continue;
+    const double mass = grains_->table().grain_mass(n.radius);
+    mass_ += mass;
+    momentum_ += mass * along_.dot(Eigen::Vector3d::Map(n.velocity.data()));
+  }
+}
+
 void ZoneSide::start() {
   zone_ = new_zone();
   const double before = flow_.solver().volume();
   first_ = zone_->take_over(flow_.solver());
   grains_->start(setup(), gauges_);
-  jumped_ = true;
+  take_stock();
   const ZoneBox box = box_of(watch_->box(), flow_.solver().grid());
   tell_(time_, fmt::format("grains start: the flow is within reach of the zone x {:.3f}..{:.3f} m, y {:.3f}..{:.3f} m; {} grains "
                            "replace {:.4g} kg of flow in it",
@@ -108,7 +125,7 @@ void ZoneSide::move(const ZoneWatch::Move& wanted) {
   Solver& solver = flow_.solver();
   const auto moved = next->take_from(*zone_, grains_->last().grains, solver);
   zone_ = std::move(next);
-  jumped_ = true;
+  take_stock();
   const ZoneBox box = box_of(watch_->box(), solver.grid());
   const char* const side = std::array{"upstream", "downstream", "towards low y", "towards high y"}[static_cast<int>(wanted.side)];
   tell_(time_, fmt::format("zone {} {} to x {:.3f}..{:.3f} m, y {:.3f}..{:.3f} m: {}; {:.4g} kg of flow became grains ({} new), "
@@ -120,7 +137,7 @@ void ZoneSide::move(const ZoneWatch::Move& wanted) {
 void ZoneSide::rest() {
   grains_->rest();
   zone_->rest(grains_->last().grains, flow_.solver());
-  jumped_ = true;
+  take_stock();
   tell_(time_,
         fmt::format("grains rest: no flow comes in and {} grains, {:.4g} kg, lie still; they are deposit from now on and the "
                     "engine ends",
@@ -133,7 +150,7 @@ void ZoneSide::wake() {
   for (std::size_t i = 0; i < g.size(); ++i) first_.push_back({g.id[i], {g.x[i], g.y[i], g.z[i]}, {}, g.radius[i]});
   zone_->wake();
   grains_->start(setup(), gauges_);
-  jumped_ = true;
+  take_stock();
   tell_(time_,
         fmt::format("grains wake: flow comes in again; the engine starts with the {} grains that lay still", first_.size()));
 }
@@ -147,7 +164,7 @@ void ZoneSide::end() {
   grains_->rest();
   zone_.reset();
   mass_ = momentum_ = 0;
-  jumped_ = true;
+  flow_.forget_covered();
   tell_(time_,
         fmt::format("grains end: the zone is empty and no flow is near; its cells are the solver's again, {:.2g} kg stay owed",
                     left_over_));
@@ -189,16 +206,14 @@ void ZoneSide::report(WindowReport& w) {
     (grains_->running() ? w.mass.grains : w.mass.continuum) += mass_;
     w.mass.faces += zone_->faces_mass();
     const double momentum = zone_->grains_momentum(g) + zone_->faces_momentum();
-    if (!jumped_) {
-      w.momentum.storage += momentum - momentum_;
-      w.momentum.gravity += 0.5 * (before + mass_) * scene_.gravity * surface_.gravity_direction().x() * w.length;
-      double sides = 0, obstacles = 0;
-      for (const char* side : side_surfaces) sides += grains_->impulse_x(side);
-      for (int k = 0; k < int(scene_.obstacles.size()); ++k) obstacles += grains_->impulse_x(k);
-      w.momentum.boundary += sides - (edge_->momentum() - left_momentum_);
-      w.momentum.obstacles += obstacles;
-      w.momentum.bed += grains_->zone_impulse_x() - sides - obstacles;  // what is not of the others
-    }
+    w.momentum.storage += momentum - momentum_;
+    w.momentum.gravity += 0.5 * (before + mass_) * scene_.gravity * surface_.gravity_direction().dot(along_) * w.length;
+    double sides = 0, obstacles = 0;
+    for (const char* side : side_surfaces) sides += grains_->impulse(side);
+    for (int k = 0; k < int(scene_.obstacles.size()); ++k) obstacles += grains_->impulse(k);
+    w.momentum.boundary += sides - (edge_->momentum() - left_momentum_);
+    w.momentum.obstacles += obstacles;
+    w.momentum.bed += grains_->zone_impulse() - sides - obstacles;  // what is not of the others
     momentum_ = momentum;
     w.inserted += zone_->inserted();
     w.returned += zone_->returned();
@@ -209,13 +224,12 @@ void ZoneSide::report(WindowReport& w) {
     }
   }
   left_momentum_ = edge_->momentum();
-  jumped_ = false;
 }
 
 void ZoneSide::state(Archive& a, const std::string& checkpoint) {
   bool begun = zone_ != nullptr, running = grains_->running();
   a(begun, running, *grains_, *edge_, *watch_, first_, next_id_, mass_, momentum_, left_momentum_, left_over_, inserted_,
-    returned_, jumped_);
+    returned_);
   if (a.loading() && begun) {
     zone_ = new_zone();
     if (running) {

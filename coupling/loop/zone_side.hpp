@@ -54,9 +54,6 @@ class ZoneSide {
   void take_back();
   // Adds the zone's terms to the ledgers and counters.
   void report(WindowReport&);
-  // Whether what the zone holds changed without a force since the last report: no momentum balance in that window.
-  bool jumped() const { return jumped_; }
-  void jump() { jumped_ = true; }                // another zone did
   double momentum() const { return momentum_; }  // [N s] along x, of what the zone holds
 
   // `checkpoint`: the engine's, where one was running.
@@ -73,6 +70,7 @@ class ZoneSide {
   void end();
   void move(const ZoneWatch::Move&);
   void follow();
+  void take_stock();
 
   const Scene& scene_;
   const RunOptions& options_;
@@ -85,6 +83,7 @@ class ZoneSide {
   std::unique_ptr<Zone> zone_;
   std::unique_ptr<DomainEdge> edge_;
   std::vector<StressGauge> gauges_;
+  Eigen::Vector3d along_;  // the slope in the zone
   std::string work_dir_;
   std::vector<NewGrain> first_;  // with the next advance
   AdvanceRequest request_;
@@ -93,7 +92,6 @@ class ZoneSide {
   double mass_ = 0, momentum_ = 0, left_momentum_ = 0;  // at the last report
   double left_over_ = 0;                                // [kg] on the faces of zones that have ended
   long inserted_ = 0, returned_ = 0;                    // by them
-  bool jumped_ = false;
 };
 
 }  // namespace couloir

@@ -37,6 +37,10 @@ std::string first_difference(const RecordsReader& a, const RecordsReader& b) {
       const std::string text = difference("forces/" + name + "/" + column, a.force(name, column), b.force(name, column));
       if (!text.empty()) return text;
     }
+  for (const std::string& name : a.obstacles()) {
+    const std::string text = difference("force_samples/" + name + "/fx", a.force_samples(name), b.force_samples(name));
+    if (!text.empty()) return text;
+  }
   if (a.planes() != b.planes()) return "the obstacles of method planes are not the same";
   for (const std::string& name : a.planes())
     for (const char* column : {"overflow", "heap", "climbed"}) {

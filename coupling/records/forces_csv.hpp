@@ -15,7 +15,9 @@ namespace couloir {
 //   time [s],wall x [N],wall y [N],wall z [N]      x along the slope, y across it, z along the normal
 //
 // then x and y of every other measure of force: wall control_volume x [N],...,downstream wall x [N],downstream wall y [N], and
-// the stresses on each gauge: wall middle normal [Pa],wall middle up [Pa],wall middle across [Pa]
+// the stresses on each gauge: wall middle normal [Pa],wall middle up [Pa],wall middle across [Pa]; and last, where there are
+// obstacles, the force on all of them by their own forces and by what the material lost (docs/forces.md):
+// together x [N],together by control volume x [N]
 class ForcesCsv : public Observer {
  public:
   // Throws RecordError. `resumed`: state() will open the file of an earlier process.
@@ -35,6 +37,7 @@ class ForcesCsv : public Observer {
   std::vector<Vec> impulse_;                     // [N s] since the last row
   std::vector<std::array<double, 2>> measured_;  // the same by the other measures
   std::vector<GaugeStress> stressed_;            // [Pa s]
+  std::array<double, 2> together_{};             // [N s] own, by the control volume
 };
 
 }  // namespace couloir

@@ -149,6 +149,11 @@ std::vector<double> RecordsReader::measure(const ForceMeasure& m, const std::str
   return h5::numbers(file_, "measures/" + m.kind + "/" + m.of + "/" + column);
 }
 
+std::vector<double> RecordsReader::force_samples(const std::string& obstacle) const {
+  if (!h5::exists(file_, "force_samples")) return {};
+  return h5::numbers(file_, "force_samples/" + obstacle + "/fx");
+}
+
 std::vector<std::string> RecordsReader::stress_gauges() const {
   std::vector<std::string> out;
   if (!h5::exists(file_, "stresses")) return out;

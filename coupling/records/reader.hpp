@@ -38,6 +38,8 @@ class RecordsReader {
   std::vector<std::string> planes() const;                                              // obstacles of method planes
   std::vector<double> planes(const std::string& obstacle, const std::string& column) const;  // "overflow", "heap" or "climbed"
   std::vector<double> measure(const ForceMeasure&, const std::string& column) const;         // "fx" or "fy"
+  // [N] along the slope, many a window; none in continuum mode.
+  std::vector<double> force_samples(const std::string& obstacle) const;
   // "<obstacle>/<gauge>" of each stress gauge; "normal", "up" or "across".
   std::vector<std::string> stress_gauges() const;
   std::vector<double> stress(const std::string& gauge, const std::string& column) const;

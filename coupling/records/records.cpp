@@ -93,7 +93,7 @@ void Records::on_resume(const Resumption& r) {
 
 // The last to go is the file: HDF5 closes it when nothing in it is open.
 void Records::close() {
-  columns_.clear(), forces_.clear(), planes_.reset(), gauges_.clear(), measures_.clear(), stresses_.clear();
+  columns_.clear(), forces_.clear(), samples_.clear(), planes_.reset(), gauges_.clear(), measures_.clear(), stresses_.clear();
   event_time_.reset(), event_text_.reset();
   waiting_ = 0;
   frames_.reset();
@@ -185,6 +185,15 @@ void Records::open_series() {
                        h5::Series(group, "fz", {"N", "force along the normal, mean over the window"}),
                        h5::Series(group, "depth_on_top", {"m", "largest depth on the obstacle's top at the window's end"})});
   }
+  if (start.sample_interval > 0) {
+    const h5::Handle samples = h5::create_group(file_, "force_samples");
+    for (const std::string& name : start.obstacles) {
+      const h5::Handle group = h5::create_group(samples, name);
+      h5::put_attribute(group, "interval", start.sample_interval);  // [s]
+      h5::put_attribute(group, "window", start.window);             // [s]
+      samples_.emplace_back(group, "fx", h5::Meaning{"N", "force along the slope, mean over each interval from the start on"});
+    }
+  }
   planes_obstacle_ = start.planes_obstacle;
   if (planes_obstacle_ >= 0) {
     const h5::Handle group = h5::create_group(h5::create_group(file_, "planes"), start.obstacles[planes_obstacle_]);
@@ -230,6 +239,8 @@ void Records::on_window(const WindowReport& window) {
     forces_[k].fz.add(o.force[2]);
     forces_[k].depth_on_top.add(o.depth_on_top);
   }
+  for (std::size_t k = 0; k < samples_.size(); ++k)
+    for (const double f : window.samples_of(k, start_.sample_interval)) samples_[k].add(f);
   for (std::size_t k = 0; k < gauges_.size() && k < window.gauges.size(); ++k) {
     const GaugeReading& g = window.gauges[k];
     gauges_[k].time.add(window.time);
@@ -263,6 +274,7 @@ void Records::write_waiting() {
   for (h5::Series& column : columns_) column.write();
   for (ForceColumns& f : forces_)
     for (h5::Series* series : {&f.time, &f.fx, &f.fy, &f.fz, &f.depth_on_top}) series->write();
+  for (h5::Series& samples : samples_) samples.write();
   for (GaugeColumns& g : gauges_)
     for (h5::Series* series : {&g.time, &g.depth, &g.along, &g.across}) series->write();
   for (MeasureColumns& m : measures_) m.fx.write(), m.fy.write();

@@ -17,6 +17,9 @@
 //   /gauges/<name>/{time,depth,velocity_along,velocity_across}    one row a window
 //   /stresses/<obstacle>/<gauge>/{normal,up,across}        one row a window; attribute: area
 //   /measures/<kind>/<of>/{fx,fy}                          one row a window: force by other measures, force_measures.hpp
+//   /force_samples/<obstacle>/fx                          many rows a window (attribute: interval), from the start on: what is
+//                                                          in the force above the windows' frequency. 64 kB a second and obstacle
+//                                                          before compression, at eight samples of windows of 1 ms
 //   /events/{time,text}
 //
 // Numbers that a run is compared by (h, hu, hv, x, vx, ...) are stored as computed, in double; `surface`, `position` and
@@ -93,7 +96,8 @@ class Records : public Observer {
   h5::Handle file_, frames_;
   std::vector<h5::Series> columns_;  // as window_columns()
   std::vector<ForceColumns> forces_;
-  int planes_obstacle_ = -1;  // number
+  std::vector<h5::Series> samples_;  // by obstacle; none without grains
+  int planes_obstacle_ = -1;         // number
   std::optional<PlanesColumns> planes_;
   std::vector<GaugeColumns> gauges_;
   std::vector<MeasureColumns> measures_;

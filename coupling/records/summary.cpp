@@ -45,6 +45,46 @@ Json stress_json(double area, const ForceSeries& normal, const ForceSeries& up, 
   return out;
 }
 
+Json together_json(const ForceSeries& own, const ForceSeries& by_control_volume, const ForceSeries& difference) {
+  const auto json = [](const ForceFigures& f) {
+    return Json{{"force_peak", f.peak}, {"force_peak_time", f.peak_time}, {"force_mean", f.mean_of_run}, {"impulse", f.impulse}};
+  };
+  const ForceFigures a = own.figures(), b = by_control_volume.figures(), d = difference.figures();
+  const Json relative = a.peak != 0 ? Json(std::abs(d.peak / a.peak)) : Json();
+  return {{"own", json(a)},
+          {"control_volume", json(b)},
+          {"difference", {{"largest", d.peak}, {"largest_time", d.peak_time}, {"mean", d.mean_of_run}, {"relative", relative}}}};
+}
+
+// Without a figure its keys are there all the same.
+Json noise_json(const std::optional<CouplingNoise>& noise) {
+  Json harmonics = Json::array();
+  for (const NoiseHarmonic& h : noise ? noise->harmonics : std::vector<NoiseHarmonic>())
+    harmonics.push_back(
+        {{"frequency", h.frequency}, {"peak_over_neighbours", h.over_neighbours}, {"between_harmonics", h.between}});
+  const auto figure = [&](auto CouplingNoise::*member) { return noise ? Json(*noise.*member) : Json(); };
+  return {{"peak_over_neighbours", figure(&CouplingNoise::over_neighbours)},
+          {"between_harmonics", figure(&CouplingNoise::between)},
+          {"rms", figure(&CouplingNoise::rms)},
+          {"resolution", figure(&CouplingNoise::resolution)},
+          {"segments", figure(&CouplingNoise::segments)},
+          {"harmonics", harmonics}};
+}
+
+Json coupling_noise_json(const std::vector<std::string>& names, const std::vector<std::optional<CouplingNoise>>& noises,
+                         double window_frequency, double sampling_frequency) {
+  Json all = Json::object(), largest;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    all[names[k]] = noise_json(noises[k]);
+    if (noises[k] && (largest.is_null() || noises[k]->over_neighbours > largest.get<double>()))
+      largest = noises[k]->over_neighbours;
+  }
+  return {{"window_frequency", window_frequency},
+          {"sampling_frequency", sampling_frequency},
+          {"peak_over_neighbours", largest},
+          {"obstacles", all}};
+}
+
 // Out of the domain through this side.
 double outward(const std::string& side, const std::array<double, 2>& f) {
   if (side == "upstream") return -f[0];
@@ -78,6 +118,8 @@ void Summary::on_start(const RunStart& start) {
     if (std::ranges::none_of(start.stress_gauges, same)) unread_.emplace_back(of, g.name);
   }
   planes_ = start.planes_obstacle;
+  window_ = start.window;
+  sample_interval_ = start.sample_interval;
 }
 
 // In the order of the members; obstacles, gauges, measures and stresses are those of the scene.
@@ -87,6 +129,7 @@ void Summary::state(Archive& a) {
   };
   a(title_, scene_);
   each(obstacles_), each(gauges_), each(measures_), each(stresses_);
+  a(together_, by_control_volume_, difference_);
   a(overflow_, max_heap_, max_climbed_, events_, resumptions_, last_, mass_error_, residual_, min_depth_, max_overlap_,
     max_speed_, peak_grains_);
 }
@@ -118,8 +161,35 @@ void Summary::take(const WindowReport& window) {
   }
   for (std::size_t k = 0; k < gauges_.size() && k < window.gauges.size(); ++k)
     gauges_[k].series.add(window.time, window.length, window.gauges[k]);
+  const double own = window.force_together(), by_control_volume = window.force_by_control_volume();
+  together_.add(window.time, window.length, own, own != 0);
+  by_control_volume_.add(window.time, window.length, by_control_volume, true);
+  difference_.add(window.time, window.length, by_control_volume - own, true);
+  take_samples(window);
   take_measures(window);
   take_stresses(window);
+}
+
+void Summary::take_samples(const WindowReport& window) {
+  for (std::size_t k = 0; sample_interval_ > 0 && k < obstacles_.size(); ++k) {
+    Obstacle& o = obstacles_[k];
+    o.met = o.met || (k < window.force_samples.size() && !window.force_samples[k].empty());
+    const std::vector<double> samples = window.samples_of(k, sample_interval_);
+    o.samples.insert(o.samples.end(), samples.begin(), samples.end());
+  }
+}
+
+std::vector<std::optional<CouplingNoise>> Summary::noises() const {
+  std::vector<std::optional<CouplingNoise>> out;
+  for (const Obstacle& o : obstacles_) {
+    out.emplace_back();
+    const double contact = o.along.figures().first_contact;
+    const auto first = std::size_t(std::ceil(std::max(0.0, contact) / sample_interval_ - 1e-6));
+    if (!o.met || contact < 0 || first >= o.samples.size()) continue;
+    const std::vector<double> since(o.samples.begin() + std::ptrdiff_t(first), o.samples.end());
+    out.back() = coupling_noise(since, int(std::lround(window_ / sample_interval_)), sample_interval_);
+  }
+  return out;
 }
 
 void Summary::take_stresses(const WindowReport& window) {
@@ -211,6 +281,12 @@ std::string Summary::made(const RunEnd& end) const {
   for (const auto& [of, name] : unread_) {
     Json& gauge = out["obstacles"][of]["gauges"][name] = stress_json(0, {}, {}, {});
     for (auto& figure : gauge) figure = Json();
+  }
+  if (!obstacles_.empty()) out["obstacles_together"] = together_json(together_, by_control_volume_, difference_);
+  if (!obstacles_.empty() && sample_interval_ > 0) {
+    std::vector<std::string> names;
+    for (const Obstacle& o : obstacles_) names.push_back(o.name);
+    out["coupling_noise"] = coupling_noise_json(names, noises(), 1 / window_, 1 / sample_interval_);
   }
   out["gauges"] = Json::object();
   for (const Gauge& gauge : gauges_) {

@@ -25,6 +25,15 @@
 //   obstacles.<name>.<kind>, walls.<side>  the force by other measures (loop/force_measures.hpp): .maximum, the largest window's
 //             mean [N]; .peak and .peak_time of the 15 ms mean; .mean over the whole run, .final of the last 50 ms [N]; .impulse
 //             [N s]. Of the component along the slope, and .impulse_across; of a wall the component out of the domain
+//   obstacles_together  along the slope, all obstacles as one (docs/forces.md); absent where there are none:
+//             .own, .control_volume: .force_peak and .force_peak_time of the 15 ms mean, .force_mean over the whole run [N],
+//             .impulse [N s]; .difference, of the second less the first: .largest and .largest_time of the 15 ms mean, .mean [N],
+//             .relative: |largest| over the own |force_peak|, null where that is 0
+//   coupling_noise  absent in continuum mode and without obstacles: .window_frequency, .sampling_frequency [Hz];
+//             .peak_over_neighbours, that of the obstacle where it is largest (null: no series is long enough);
+//             .obstacles.<name>.peak_over_neighbours, .between_harmonics, .rms [N], .resolution [Hz], .segments (null: likewise,
+//             or no grains meet it), .harmonics [{frequency, peak_over_neighbours, between_harmonics}]: coupling_noise.hpp,
+//             from the first contact on
 //   flow      .max_speed [m/s]
 //   effects   [{name, on, reason}];  events [{time, what}]
 //   resumed   [{time, reason}]: where the run went on from a checkpoint
@@ -33,6 +42,7 @@
 #include <vector>
 
 #include "coupling/loop/observer.hpp"
+#include "coupling/records/coupling_noise.hpp"
 #include "coupling/records/force_series.hpp"
 #include "coupling/records/gauge_series.hpp"
 
@@ -55,12 +65,16 @@ class Summary : public Observer {
   void take(const WindowReport&);
   void take_measures(const WindowReport&);
   void take_stresses(const WindowReport&);
+  void take_samples(const WindowReport&);
+  std::vector<std::optional<CouplingNoise>> noises() const;  // by obstacle
 
   struct Obstacle {
     std::string name;
     ForceSeries along;
     double impulse_across = 0, max_depth = 0, depth_final = 0;
-    void state(Archive& a) { a(along, impulse_across, max_depth, depth_final); }
+    std::vector<double> samples;  // [N] of the force along the slope
+    bool met = false;             // by grains
+    void state(Archive& a) { a(along, impulse_across, max_depth, depth_final, samples, met); }
   };
   struct Gauge {
     std::string name;
@@ -89,6 +103,8 @@ class Summary : public Observer {
   std::vector<Obstacle> obstacles_;
   int planes_ = -1;  // number of the one that is made of planes
   double overflow_ = 0, max_heap_ = 0, max_climbed_ = 0;
+  ForceSeries together_, by_control_volume_, difference_;
+  double window_ = 0, sample_interval_ = 0;  // [s]
   std::vector<Gauge> gauges_;
   std::vector<Measure> measures_;
   std::vector<Stresses> stresses_;

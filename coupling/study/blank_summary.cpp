@@ -24,6 +24,7 @@ nlohmann::json blank_summary(const Scene& scene) {
     if (o.method != ObstacleSpec::Method::elevation) continue;
     for (const char* kind : {"elevation", "elevation_upstream"}) start.measures.push_back({o.name, kind});
   }
+  if (scene.mode != Mode::continuum) start.window = start.sample_interval = 1;  // there are samples
   Summary summary("");
   summary.on_start(start);
   return nlohmann::json::parse(summary.made({}));

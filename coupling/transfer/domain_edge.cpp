@@ -11,7 +11,7 @@ void DomainEdge::take(const Grains& g, const ReferenceSurface& surface, std::vec
     if (!out || !counted(g.id[i])) continue;
     const double m = grain_mass(g.radius[i], density_);
     mass_ += m;
-    momentum_ += m * g.vx[i];
+    momentum_ += m * along_.dot(Eigen::Vector3d(g.vx[i], g.vy[i], g.vz[i]));
     remove.push_back(g.id[i]);
   }
 }

@@ -13,21 +13,23 @@ namespace couloir {
 
 class DomainEdge {
  public:
-  // open[side]: upstream, downstream, left, right. length, width [m].
-  DomainEdge(std::array<bool, 4> open, double length, double width, double grain_density)
-      : open_(open), length_(length), width_(width), density_(grain_density) {}
+  // open[side]: upstream, downstream, left, right. length, width [m]. along: unit, the direction of the momentum.
+  DomainEdge(std::array<bool, 4> open, double length, double width, double grain_density,
+             const Eigen::Vector3d& along = Eigen::Vector3d::UnitX())
+      : open_(open), length_(length), width_(width), density_(grain_density), along_(along) {}
 
   // Appends the ids of those outside, where `counted` says that they are the run's.
   void take(
       const Grains&, const ReferenceSurface&, std::vector<std::int64_t>& remove,
       const std::function<bool(std::int64_t)>& counted = [](std::int64_t) { return true; });
   double mass() const { return mass_; }          // [kg] since the start
-  double momentum() const { return momentum_; }  // [N s] along X of the tilted frame, since the start
+  double momentum() const { return momentum_; }  // [N s] since the start
   void state(Archive& a) { a(mass_, momentum_); }
 
  private:
   std::array<bool, 4> open_;
   double length_, width_, density_, mass_ = 0, momentum_ = 0;
+  Eigen::Vector3d along_;
 };
 
 }  // namespace couloir

@@ -65,6 +65,8 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
           g.face = out_of;
           g.segment = segment;
           lent_ += m;
+          lent_momentum_ += m * surface_->tangent(surface_->to_surface({g.position[0], g.position[1], g.position[2]}).x)
+                                    .dot(Eigen::Vector3d::Map(g.velocity.data()));
         } else {
           handback_.mark_shadow(g.id);
         }
@@ -223,6 +225,7 @@ AdvanceRequest Zone::request(Solver& solver) {
       const auto [first, last] = face.cells_of_segment(s);
       if (fresh_) {  // the layers came filled: what passes before they have moved pays for that
         const double paid = std::min(lent_, given[s]);
+        if (lent_ > 0) lent_momentum_ -= lent_momentum_ * paid / lent_;
         lent_ -= paid;
         given[s] -= paid;
       }
@@ -403,8 +406,15 @@ double Zone::faces_mass() const {
   return sum;
 }
 
+// What is owed comes in with its raft, along the face's normal.
 double Zone::faces_momentum() const {
-  return handback_.pending_momentum();
+  double sum = handback_.pending_momentum() - lent_momentum_;
+  for (int f = 0; f < int(rim_.faces().size()); ++f) {
+    const RimFace& face = rim_.faces()[f];
+    if (face.axis() != 0) continue;
+    for (int s = 0; s < face.segments; ++s) sum += face.sign() * conveyors_[f].owed(s) * segments_[f][s].raft;
+  }
+  return sum;
 }
 
 double Zone::grains_mass(const Grains& g) const {

@@ -78,6 +78,7 @@ class Zone {
   // Whether flow of half a diameter or more comes towards a face, at a tenth of sqrt(g d) or more.
   bool flow_comes(const Solver&);
   std::int64_t next_id() const { return next_id_; }
+  const std::vector<NewGrain>& to_insert() const { return move_fill_; }  // with the next request, after a move
   // At rest, without an engine: the covered cells show the grains, still, and what comes meets the faces as walls. In place of
   // request and absorb: count_passed.
   void rest(const Grains&, Solver&);
@@ -85,8 +86,8 @@ class Zone {
   std::vector<std::vector<double>> count_passed(const Solver&);
   // Between two windows; into a zone of the same settings. The solver's covered cells are the solver's.
   void state(Archive& a) {
-    a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, lent_, remainder_, next_id_, steps_, window_,
-      inserted_, fresh_, own_from_, closed_, covered_);
+    a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, lent_, lent_momentum_, remainder_, next_id_, steps_,
+      window_, inserted_, fresh_, own_from_, closed_, covered_);
   }
 
  private:
@@ -123,6 +124,7 @@ class Zone {
   std::vector<std::int64_t> remove_;
   std::vector<NewGrain> layer_;  // driven grains after the last window, for the overlap test
   double lent_ = 0;              // [kg] the driven layers' first filling
+  double lent_momentum_ = 0;     // [N s] along x, of it
   double remainder_ = 0;         // [kg] left over from filling with whole grains
   std::int64_t next_id_ = 1, steps_ = 0;
   double window_ = 0;  // [s]

@@ -45,6 +45,7 @@ class RimMover {
     std::sort(now_.remove_.begin(), now_.remove_.end());
     now_.remove_.erase(std::unique(now_.remove_.begin(), now_.remove_.end()), now_.remove_.end());
     now_.lent_ += lent_;
+    now_.lent_momentum_ = before_.lent_momentum_ + lent_momentum_;
     now_.remainder_ += excess_;
     moved_.left_over = excess_ - lent_;
     now_.share_out(moved_.left_over);
@@ -184,6 +185,12 @@ class RimMover {
     moved_.opened += mass;
   }
 
+  void lend(double mass, const Vec& p, const Vec& velocity) {
+    lent_ += mass;
+    lent_momentum_ +=
+        mass * now_.surface_->tangent(now_.surface_->to_surface({p[0], p[1], p[2]}).x).dot(Eigen::Vector3d::Map(velocity.data()));
+  }
+
   void sort_grains() {
     const CellBox &old = before_.settings_.box, &box = now_.settings_.box;
     for (int j = old.j0; j < old.j1; ++j)  // cells that open empty, too
@@ -206,7 +213,7 @@ class RimMover {
         now_.layer_.push_back({id, p, {}, grains_.radius[k], at.face, at.segment});
         if (!counted) now_.handback_.unmark_shadow(id);
         if (counted && !driven) give_to_flow(k, mass);
-        if (!counted || !driven) lent_ += mass;
+        if (!counted || !driven) lend(mass, p, {grains_.vx[k], grains_.vy[k], grains_.vz[k]});
       } else {
         if (counted) {
           driven ? void(excess_ += mass) : give_to_flow(k, mass);
@@ -263,7 +270,7 @@ class RimMover {
         } else if (at.inflow) {
           if (at.distance < -now_.rim_.layer()) continue;
           g.face = at.face, g.segment = at.segment;
-          lent_ += mass;
+          lend(mass, g.position, g.velocity);
         } else {
           now_.handback_.mark_shadow(g.id);
         }
@@ -283,6 +290,7 @@ class RimMover {
   std::map<Cell, FlowState> opened_;
   RimMove rim_;
   double excess_ = 0, lent_ = 0;  // [kg]
+  double lent_momentum_ = 0;      // [N s]
   Zone::Moved moved_;
 };
 

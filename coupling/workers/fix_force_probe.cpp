@@ -26,6 +26,8 @@ void FixForceProbe::set_meshes(std::vector<double*> counts) {
   first_.resize(counts_.size());
   now_.resize(counts_.size());
   sum_.resize(counts_.size());
+  sample_sum_.resize(counts_.size());
+  samples_.resize(counts_.size());
 }
 
 int FixForceProbe::setmask() {
@@ -40,8 +42,20 @@ void FixForceProbe::post_force(int) {
   act();
   ++steps_;
   for (std::size_t m = 0; m < now_.size(); ++m) {
-    for (int k = 0; k < 3; ++k) sum_[m][k] += now_[m][k];
+    for (int k = 0; k < 3; ++k) sum_[m][k] += now_[m][k], sample_sum_[m][k] += now_[m][k];
   }
+  if (sample_steps_ > 0 && steps_ % sample_steps_ == 0) end_sample();
+}
+
+void FixForceProbe::end_sample() {
+  for (std::size_t m = 0; m < now_.size(); ++m) {
+    Vec mean;
+    for (int k = 0; k < 3; ++k)
+      mean[k] = (sample_sum_[m][k] + 0.5 * (sample_first_[m][k] - now_[m][k])) / static_cast<double>(sample_steps_);
+    samples_[m].push_back(mean);
+  }
+  sample_first_ = now_;
+  std::fill(sample_sum_.begin(), sample_sum_.end(), Vec{});
 }
 
 void FixForceProbe::act() {
@@ -56,9 +70,12 @@ void FixForceProbe::act() {
   }
 }
 
-void FixForceProbe::begin_window() {
-  first_ = now_;
+void FixForceProbe::begin_window(std::int64_t sample_steps) {
+  first_ = sample_first_ = now_;
+  sample_steps_ = sample_steps;
   std::fill(sum_.begin(), sum_.end(), Vec{});
+  std::fill(sample_sum_.begin(), sample_sum_.end(), Vec{});
+  for (std::vector<Vec>& all : samples_) all.clear();
   steps_ = 0;
 }
 

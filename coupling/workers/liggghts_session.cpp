@@ -126,7 +126,7 @@ Advanced Session::advance(const AdvanceRequest& request) {
   std::sort(order.remove.begin(), order.remove.end());
   grains_ += static_cast<std::int64_t>(request.insert.size()) - static_cast<std::int64_t>(request.remove.size());
 
-  probe_->begin_window();
+  probe_->begin_window(request.sample_steps);
   zone_force_->begin_window();
   if (!request.rim_moves.empty()) setup_.faces = request.rim_moves.front().faces;
   drive_->begin_window(request);
@@ -158,6 +158,7 @@ void Session::check(const AdvanceRequest& request) const {
       if (!has_segment(faces, g.face, g.segment))
         refuse(
             fmt::format("the grain {} is to be driven by segment {} of face {}, which does not exist", g.id, g.segment, g.face));
+  if (request.sample_steps < 0) refuse(fmt::format("a mean over {} steps is not possible", request.sample_steps));
   for (const NewGrain& g : request.insert) {
     if (g.id <= 0 || g.id > std::numeric_limits<int>::max())
       refuse(fmt::format("a grain's id must be in 1..2147483647, not {}", g.id));

@@ -7,7 +7,7 @@ namespace couloir {
 
 void Session::report_surfaces(Advanced& result) const {
   const std::size_t surfaces = setup_.surfaces.size();
-  std::vector<double> sums;  // per surface: mean, last; then the impulse of driving
+  std::vector<double> sums;  // per surface: mean, last; then the impulse of driving; then the samples surface by surface
   for (std::size_t k = 0; k < surfaces; ++k) {
     const Vec mean = probe_->mean(k), last = probe_->last(k);
     sums.insert(sums.end(), mean.begin(), mean.end());
@@ -16,6 +16,8 @@ void Session::report_surfaces(Advanced& result) const {
   const Vec driving = drive_->impulse(), exchange = exchange_->impulse();
   for (int c = 0; c < 3; ++c) sums.push_back(driving[c] + exchange[c]);
   for (const double f : zone_force_->mean()) sums.push_back(f);
+  for (std::size_t k = 0; k < surfaces; ++k)
+    for (const Vec& sample : probe_->samples(k)) sums.insert(sums.end(), sample.begin(), sample.end());
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, comm_);
   for (std::size_t k = 0; k < surfaces; ++k) {
     result.surface_force.push_back({sums[6 * k], sums[6 * k + 1], sums[6 * k + 2]});
@@ -23,6 +25,11 @@ void Session::report_surfaces(Advanced& result) const {
   }
   for (int c = 0; c < 3; ++c) result.drive_impulse[c] = sums[6 * surfaces + c];
   for (int c = 0; c < 3; ++c) result.zone_force[c] = sums[6 * surfaces + 3 + c];
+  const double* next = sums.data() + 6 * surfaces + 6;
+  for (std::size_t k = 0; k < surfaces; ++k) {
+    auto& samples = result.surface_force_samples.emplace_back(probe_->samples(k).size());
+    for (Vec& sample : samples) std::copy_n(next, 3, sample.begin()), next += 3;
+  }
 }
 
 void Session::report_segments(Advanced& result, std::int64_t steps) const {

@@ -91,6 +91,52 @@ TEST_P(SurfaceForces, AndMomentumInAPeriodicBox) {
   EXPECT_LT(worst, 1e-9);
 }
 
+// Samples are part of no engine's motion, and a window's forces in parts.
+TEST_P(SurfaceForces, InSamplesAverageToTheMean) {
+  for (const int ranks : OnEngine::ranks()) {
+    Folder folder, other;
+    EngineSetup setup = box(folder.path), same = box(other.path);
+    setup.ranks = same.ranks = ranks;
+    WorkerEngine engine(worker()), plain(worker());
+    engine.start(setup);
+    plain.start(same);
+    AdvanceRequest request = steps(300);  // into the impact
+    request.insert = lattice(8, 3);
+    plain.advance(request);
+    request.sample_steps = 75;
+    EXPECT_EQ(engine.advance(request).surface_force_samples.at(0).size(), 4u);
+    double worst = 0, spread = 0, largest = 0;
+    for (int window = 0; window < 20; ++window) {
+      AdvanceRequest sampled = steps(40);
+      sampled.sample_steps = 5;
+      const Advanced a = engine.advance(sampled), b = plain.advance(steps(40));
+      ASSERT_TRUE(same_bits(a.grains, b.grains)) << window;
+      ASSERT_EQ(a.surface_force, b.surface_force);
+      EXPECT_TRUE(b.surface_force_samples.empty() || b.surface_force_samples[0].empty());
+      ASSERT_EQ(a.surface_force_samples.size(), 5u);
+      for (std::size_t s = 0; s < 5; ++s) {
+        ASSERT_EQ(a.surface_force_samples[s].size(), 8u);
+        for (int k = 0; k < 3; ++k) {
+          double sum = 0;
+          for (const Vec& sample : a.surface_force_samples[s]) {
+            sum += sample[k] / 8;
+            spread = std::max(spread, std::abs(sample[k] - a.surface_force[s][k]));
+            largest = std::max(largest, std::abs(sample[k]));
+          }
+          worst = std::max(worst, std::abs(sum - a.surface_force[s][k]));
+        }
+      }
+    }
+    EXPECT_LT(worst, 1e-13 * largest) << ranks << " ranks";
+    EXPECT_GT(spread, 0.01 * largest);  // within a window forces do change
+    AdvanceRequest uneven = steps(17);
+    uneven.sample_steps = 5;
+    EXPECT_EQ(engine.advance(uneven).surface_force_samples[0].size(), 3u);
+    uneven.sample_steps = -1;
+    EXPECT_NE(error_of([&] { engine.advance(uneven); }).find("a mean over -1 steps is not possible"), std::string::npos);
+  }
+}
+
 // P1 - P0 = gravity + surfaces + driving + inserted - removed, window by window, with everything going on at once, checkpoints
 // included.
 TEST_P(Momentum, IsBookedExactly) {

@@ -37,6 +37,7 @@ TEST(Protocol, RequestAndAnswerGoThereAndBack) {
   in.remove = {7, 9};
   in.drives = {{{1, 2, -0.1, 0.3, 1e-6, true, {4, 5, 6}}, {}}};
   in.want_grains = false;
+  in.sample_steps = 5;
   protocol::decode(protocol::encode(in), out);
   EXPECT_EQ(out.steps, 40);
   EXPECT_EQ(out.insert[3].segment, 2);
@@ -46,6 +47,7 @@ TEST(Protocol, RequestAndAnswerGoThereAndBack) {
   EXPECT_TRUE(out.drives[0][0].exit_active);
   EXPECT_EQ(out.drives[0][0].exit_velocity, (Vec{4, 5, 6}));
   EXPECT_FALSE(out.want_grains);
+  EXPECT_EQ(out.sample_steps, 5);
 
   Advanced a, b;
   a.step = 123456789012;
@@ -54,12 +56,14 @@ TEST(Protocol, RequestAndAnswerGoThereAndBack) {
   a.grains.driven = {0, 1};
   a.surface_force = {{1, 2, 3}};
   a.segments = {{{0.5, 1, 2, 3}}};
+  a.surface_force_samples = {{{1, 2, 3}, {4, 5, 6}}, {}};
   protocol::decode(protocol::encode(a), b);
   EXPECT_EQ(b.step, a.step);
   EXPECT_TRUE(test::same_bits(a.grains.x, b.grains.x));
   EXPECT_EQ(b.grains.driven, a.grains.driven);
   EXPECT_EQ(b.surface_force, a.surface_force);
   EXPECT_EQ(b.segments[0][0].force, 2);
+  EXPECT_EQ(b.surface_force_samples, a.surface_force_samples);
 }
 
 TEST(Protocol, AnotherVersionIsRefused) {

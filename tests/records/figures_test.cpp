@@ -165,6 +165,39 @@ TEST(Summary, HoldsTheKeysOfTheContract) {
   EXPECT_FALSE(side.contains("impulse_across"));
 }
 
+// By what the material lost the synthetic wall bears 0.9 of its own force.
+TEST(Summary, HasAllObstaclesTogetherByBothMeasures) {
+  const TemporaryFolder folder;
+  record(SyntheticRun(Mode::coupled), folder / "a");
+  const auto json = nlohmann::json::parse(read_text(folder / "a/summary.json"));
+  const auto &all = json["obstacles_together"], &wall = json["obstacles"]["wall"];
+  for (const char* figure : {"force_peak", "force_peak_time", "impulse"})
+    EXPECT_NEAR(all["own"][figure], wall[figure].get<double>(), 1e-12) << figure;
+  for (const char* figure : {"force_peak", "force_mean", "impulse"})
+    EXPECT_NEAR(all["control_volume"][figure], 0.9 * all["own"][figure].get<double>(), 1e-12) << figure;
+  EXPECT_NEAR(all["difference"]["largest"], -0.1 * wall["force_peak"].get<double>(), 1e-12);
+  EXPECT_EQ(all["difference"]["largest_time"], wall["force_peak_time"]);
+  EXPECT_NEAR(all["difference"]["mean"], -0.1 * wall["impulse"].get<double>() / 0.4, 1e-12);
+  EXPECT_NEAR(all["difference"]["relative"], 0.1, 1e-12);
+}
+
+TEST(Summary, HasTheNoiseOfTheCoupling) {
+  const TemporaryFolder folder;
+  record(SyntheticRun(Mode::coupled), folder / "a");
+  record(SyntheticRun(Mode::continuum), folder / "b");
+  const auto noise = nlohmann::json::parse(read_text(folder / "a/summary.json"))["coupling_noise"];
+  EXPECT_NEAR(noise["window_frequency"], 1000, 1e-9);
+  EXPECT_NEAR(noise["sampling_frequency"], 8000, 1e-9);
+  const auto& wall = noise["obstacles"]["wall"];
+  EXPECT_EQ(wall["peak_over_neighbours"], noise["peak_over_neighbours"]);
+  EXPECT_GT(wall["peak_over_neighbours"], 10);
+  EXPECT_NEAR(wall["rms"], 3 / std::sqrt(2), 0.03);
+  ASSERT_EQ(wall["harmonics"].size(), 3u);
+  EXPECT_NEAR(wall["harmonics"][1]["frequency"], 2000, 1e-9);
+  EXPECT_GT(wall["segments"], 4);
+  EXPECT_FALSE(nlohmann::json::parse(read_text(folder / "b/summary.json")).contains("coupling_noise"));
+}
+
 TEST(Summary, HasTheStressesOnGauges) {
   const TemporaryFolder folder;
   SyntheticRun run(Mode::coupled);
@@ -186,7 +219,9 @@ TEST(Summary, HasTheStressesOnGauges) {
   EXPECT_EQ(wall["gauges"]["unread"].size(), middle.size());
   for (const auto& figure : wall["gauges"]["unread"]) EXPECT_TRUE(figure.is_null());
   const std::string csv = read_text(folder / "a/forces.csv");
-  EXPECT_THAT(csv, HasSubstr(",left wall y [N],wall middle normal [Pa],wall middle up [Pa],wall middle across [Pa]\n"));
+  EXPECT_THAT(csv,
+              HasSubstr(",left wall y [N],wall middle normal [Pa],wall middle up [Pa],wall middle across [Pa],together x [N],"
+                        "together by control volume x [N]\n"));
   std::istringstream lines(csv);
   std::string line;
   while (std::getline(lines, line) && line.substr(0, 3) != "0.2") {
@@ -194,10 +229,12 @@ TEST(Summary, HasTheStressesOnGauges) {
   std::istringstream cells(line);
   std::vector<double> row;
   for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
-  ASSERT_EQ(row.size(), 11u);
+  ASSERT_EQ(row.size(), 13u);
   EXPECT_NEAR(row[8], 2 * row[1], 1e-6);
   EXPECT_NEAR(row[9], -0.5 * row[1], 1e-6);
   EXPECT_NEAR(row[10], 0.1 * row[1], 1e-6);
+  EXPECT_NEAR(row[11], row[1], 1e-6);
+  EXPECT_NEAR(row[12], 0.9 * row[1], 1e-6);
 }
 
 TEST(Summary, TellsOfAnInterruptedRun) {
@@ -279,8 +316,8 @@ TEST(ForcesCsv, HasUnitsAndARowEachInterval) {
   const std::vector<std::string> lines = lines_of(folder / "forces.csv");
   EXPECT_EQ(lines[0],
             "time [s],wall x [N],wall y [N],wall z [N],wall control_volume x [N],wall control_volume y [N],"
-            "left wall x [N],left wall y [N]");
-  EXPECT_EQ(lines[1], "0.003,0,0,0,0,0,0.125,-2");
+            "left wall x [N],left wall y [N],together x [N],together by control volume x [N]");
+  EXPECT_EQ(lines[1], "0.003,0,0,0,0,0,0.125,-2,0,0");
   ASSERT_EQ(lines.size(), 1u + 134u);  // 133 whole intervals and the rest
   double impulse = 0, expected = 0, before = 0;
   for (std::size_t k = 1; k < lines.size(); ++k) {

@@ -46,6 +46,9 @@ TEST(Records, ComeBackBitForBit) {
   }
   EXPECT_EQ(reader.obstacles(), std::vector<std::string>{"wall"});
   EXPECT_EQ(reader.force("wall", "fy")[200], run.window(200).obstacles[0].force[1]);
+  const std::vector<double> samples = reader.force_samples("wall"), those = run.samples(run.window(200).time);
+  ASSERT_EQ(samples.size(), std::size_t(8 * SyntheticRun::windows));
+  EXPECT_TRUE(std::equal(those.begin(), those.end(), samples.begin() + 200 * 8));
   const std::vector<ForceMeasure> measures = reader.measures();
   ASSERT_EQ(measures.size(), 2u);
   EXPECT_EQ(measures[0].kind + " of " + measures[0].of, "control_volume of wall");

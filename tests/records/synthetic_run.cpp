@@ -76,6 +76,8 @@ RunStart SyntheticRun::start() const {
                  {"earth pressure", true, "the material's angles 40 and 30 deg differ"},
                  {"rotation", false, "grains are spheres and the scene asks for no spin output"}};
   out.bulk_density = 1400;
+  out.window = length;
+  if (scene.mode != Mode::continuum) out.sample_interval = length / samples_of_window;
   return out;
 }
 
@@ -86,6 +88,15 @@ double SyntheticRun::force(double time) const {
   const double rattle = k % 4 == 0 ? 4 : k % 4 == 2 ? -4 : 0;
   const double bump = t < 0.02 ? 40 * std::sin(std::numbers::pi * t / 0.02) : 0;
   return scale * (6 + bump + rattle);
+}
+
+std::vector<double> SyntheticRun::samples(double time) const {
+  std::vector<double> out;
+  for (int n = 0; n < samples_of_window; ++n) {
+    const double tone = force(time) != 0 ? 3 * scale * std::sin(2 * std::numbers::pi * n / samples_of_window) : 0;
+    out.push_back(force(time) + tone);
+  }
+  return out;
 }
 
 WindowReport SyntheticRun::window(long k) const {
@@ -106,9 +117,11 @@ WindowReport SyntheticRun::window(long k) const {
   w.momentum.bed = -0.6 * w.momentum.gravity;
   w.momentum.obstacles = -force(t) * length;
   w.momentum.storage = w.momentum.gravity + w.momentum.bed + w.momentum.obstacles;
+  w.momentum.boundary = 0.1 * w.momentum.obstacles;  // so that the control volume has 0.9 of the force
   w.momentum.residual = 1e-9 * (1 + k % 5);
   w.momentum.scale = kMass * speed(t);
   w.obstacles.push_back({{force(t), 0.1 * force(t), -0.2 * force(t)}, t > 0.2 ? 0.004 : 0});
+  if (with_grains) w.force_samples = {samples(t)};
   if (planes) {
     w.obstacles[0].overflow = 0.1 * t;
     w.obstacles[0].heap = 0.05 - 0.1 * std::abs(t - 0.1);

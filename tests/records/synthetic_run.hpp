@@ -26,6 +26,9 @@ struct SyntheticRun {
   // Force along the slope on the wall in the window that ends at `time` [N]: 0 before 0.1 s, a sine bump of 20 ms and 40 N,
   // then 6 N; every fourth window carries 4 N more, every other fourth 4 N less, once there is contact.
   double force(double time) const;
+  // Its samples in that window: a tone of 3 N (times scale) at the windows' frequency on top, once there is contact.
+  std::vector<double> samples(double time) const;
+  static constexpr int samples_of_window = 8;
 
   static constexpr double length = 0.001;  // [s] of a window
   static constexpr int windows = 400, frame_every = 40;

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import msgpack
 import numpy as np
 
-VERSION = 6
+VERSION = 7
 HELLO, START, STARTED, ADVANCE, CHECKPOINT, STOP, DONE, HEARTBEAT, ADVANCED, FAILED = range(10)
 CONTACT_LAWS = ("hertz", "kelvin_voigt")
 ROTATIONS = ("free", "blocked", "control")
@@ -114,6 +114,7 @@ class Request:
     drives: list  # [face][segment]; empty: as before
     want_grains: bool
     rim_moves: list  # one at most
+    sample_steps: int = 0
 
 
 def unpack(message):
@@ -150,10 +151,10 @@ def faces(all):
 
 
 def request(body):
-    steps, insert, remove, drives, want_grains, rim_moves = body
+    steps, insert, remove, drives, want_grains, rim_moves, sample_steps = body
     return Request(steps, [NewGrain(*g) for g in insert], np.frombuffer(remove, np.int64),
                    [[Drive(*d) for d in face] for face in drives], want_grains,
-                   [RimMove(faces(to), [tuple(g) for g in driven]) for to, driven in rim_moves])
+                   [RimMove(faces(to), [tuple(g) for g in driven]) for to, driven in rim_moves], sample_steps)
 
 
 def block(values, kind=float):

@@ -16,6 +16,8 @@ class RanAway(Exception):
 def check(request, setup, book):
     if request.steps < 0 or request.steps > LARGEST or (request.steps == 0 and (request.insert or len(request.remove))):
         raise Refused(f"an advance over {request.steps} steps is not possible")
+    if request.sample_steps < 0:
+        raise Refused(f"a mean over {request.sample_steps} steps is not possible")
     faces = setup.faces
     if request.rim_moves:
         check_rim_moves(request, book)

@@ -63,7 +63,7 @@ class Session:
     def advance(self, request):
         cpu = time.process_time()
         requests.check(request, self.setup, self.book)
-        self.probes.begin_window()
+        self.probes.begin_window(request.sample_steps)
         self.zone_probe.begin_window()
         exchange = self._remove(request.remove)
         self.drive.begin_window(request.drives, self._move_rim(request.rim_moves))
@@ -189,7 +189,8 @@ class Session:
                 messages.block([messages.vector(f) for f in self.probes.mean()]),
                 messages.block([messages.vector(f) for f in self.probes.last]), segments,
                 messages.vector(self.drive.impulse() + exchange), float(energy), self._largest_overlap(),
-                time.process_time() - cpu, messages.vector(-self.zone_probe.mean()[0])]
+                time.process_time() - cpu, messages.vector(-self.zone_probe.mean()[0]),
+                [messages.block([messages.vector(f) for f in samples]) for samples in self.probes.samples]]
 
     def _largest_overlap(self):
         # YADE's own count, over the harmonic mean of the two diameters: at most (r1 + r2)^2 / (4 r1 r2) times that over the mean.

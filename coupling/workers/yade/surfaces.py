@@ -36,16 +36,19 @@ def inside(bodies, faces):
 
 class Probes:
     """[N] by the grains on each surface: at the last step, and its mean over a window, weighted as velocity Verlet kicks (both
-    ends by half), so that the mean times the window is the momentum given."""
+    ends by half), so that the mean times the window is the momentum given. samples: the same over `sample_steps` steps each."""
 
     def __init__(self, bodies, last=None):
         self._recorders = [ForceRecorder(ids=ids) for ids in bodies]
         self.last = last or [Vector3.Zero for _ in bodies]
         self.begin_window()
 
-    def begin_window(self):
-        self._first = self.last
+    def begin_window(self, sample_steps=0):
+        self._first = self._sample_first = self.last
         self._sum = [Vector3.Zero for _ in self.last]
+        self._sample_sum = list(self._sum)
+        self._sample_steps = sample_steps
+        self.samples = [[] for _ in self.last]
         self._steps = 0
 
     def read(self):
@@ -53,7 +56,16 @@ class Probes:
             recorder()
         self.last = [Vector3(recorder.totalForce) for recorder in self._recorders]  # copies: totalForce is a view
         self._sum = [s + f for s, f in zip(self._sum, self.last)]
+        self._sample_sum = [s + f for s, f in zip(self._sample_sum, self.last)]
         self._steps += 1
+        if self._sample_steps and self._steps % self._sample_steps == 0:
+            self._end_sample()
+
+    def _end_sample(self):
+        for samples, s, first, last in zip(self.samples, self._sample_sum, self._sample_first, self.last):
+            samples.append((s + 0.5 * (first - last)) / self._sample_steps)
+        self._sample_first = self.last
+        self._sample_sum = [Vector3.Zero for _ in self.last]
 
     def mean(self):
         if self._steps == 0:
