@@ -17,7 +17,8 @@ class DomainEdge {
   DomainEdge(std::array<bool, 4> open, double length, double width, double grain_density)
       : open_(open), length_(length), width_(width), density_(grain_density) {}
 
-  // Appends the ids of those outside, where `counted` says that they are the run's.
+  // Appends the ids of those outside; books those of which `counted` says that they are the run's. The others, which only stood
+  // by, would go on falling until they left the engine's box.
   void take(
       const Grains&, const ReferenceSurface&, std::vector<std::int64_t>& remove,
       const std::function<bool(std::int64_t)>& counted = [](std::int64_t) { return true; });
