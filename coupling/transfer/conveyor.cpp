@@ -14,6 +14,8 @@ Conveyor::Conveyor(const RimFace& face, int face_index, const PackingTable& tabl
     for (const auto& grain : block.grains) {
       const double along = offset + grain.y;
       if (along < 0 || along >= extent) continue;
+      // In a wall it would be shot away; what it would have carried stays owed, and the others stand a little higher.
+      if ((face.walls[0] && along < grain.r) || (face.walls[1] && along > extent - grain.r)) continue;
       const int segment = face.segment_of_cell(face.cell_at(along));
       candidates_[segment].push_back({block.length - grain.x, along, grain.z, grain.r});
     }

@@ -18,7 +18,8 @@ class DomainEdge {
              const Eigen::Vector3d& along = Eigen::Vector3d::UnitX())
       : open_(open), length_(length), width_(width), density_(grain_density), along_(along) {}
 
-  // Appends the ids of those outside, where `counted` says that they are the run's.
+  // Appends the ids of those outside; books those of which `counted` says that they are the run's. The others, which only stood
+  // by, would go on falling until they left the engine's box.
   void take(
       const Grains&, const ReferenceSurface&, std::vector<std::int64_t>& remove,
       const std::function<bool(std::int64_t)>& counted = [](std::int64_t) { return true; });

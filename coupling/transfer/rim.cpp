@@ -45,6 +45,10 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
     face.from_anchor = face.axis() == 0 ? yl - (*settings_.anchor)[1] : xl - (*settings_.anchor)[0];
     face.cells_per_segment = std::clamp(int(std::ceil(settings.segment * d / width - 1e-9)), 1, cells);
     face.segments = (cells + face.cells_per_segment - 1) / face.cells_per_segment;
+    if (face.axis() == 0)
+      face.walls = {settings.walls[2] && zone.j0 == 0, settings.walls[3] && zone.j1 == grid.ny};
+    else
+      face.walls = {settings.walls[0] && zone.i0 == 0, settings.walls[1] && zone.i1 == grid.nx};
     face.drive = {.origin = to_vec(surface.to_space({x0, y0, 0})),
                   .inward = to_vec(inward),
                   .along = to_vec(along),

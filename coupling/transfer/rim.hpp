@@ -24,8 +24,9 @@ struct RimFace {
   double cell_width = 0;  // [m] along the face
   int cells_per_segment = 1;
   int segments = 0;
-  DriveFace drive;         // the same face for the engine
-  double from_anchor = 0;  // [m] from the anchor of the settings to the face's low end, along the face
+  std::array<bool, 2> walls{};  // whether a wall of the domain stands at its low end, at its high end
+  DriveFace drive;              // the same face for the engine
+  double from_anchor = 0;       // [m] from the anchor of the settings to the face's low end, along the face
   int axis() const { return side == SideName::upstream || side == SideName::downstream ? 0 : 1; }  // normal along x or y
   double sign() const { return side == SideName::upstream || side == SideName::left ? 1 : -1; }    // of the inward normal
   int segment_of_cell(int k) const { return k / cells_per_segment; }
@@ -42,12 +43,13 @@ struct RimFace {
 };
 
 struct RimSettings {
-  double diameter = 0;      // [m]
-  double layer = 2;         // depth of the driven layer [d]
-  double buffer = 12;       // how far grains that left live on outside as support for those inside [d]
-  double short_buffer = 4;  // the same where the outflow is fast [d]
-  double strip = 3;         // the buffer's last part, in which they move with the flow outside [d]
-  double segment = 16;      // least width of a segment [d]
+  double diameter = 0;          // [m]
+  double layer = 2;             // depth of the driven layer [d]
+  double buffer = 12;           // how far grains that left live on outside as support for those inside [d]
+  double short_buffer = 4;      // the same where the outflow is fast [d]
+  double strip = 3;             // the buffer's last part, in which they move with the flow outside [d]
+  double segment = 16;          // least width of a segment [d]
+  std::array<bool, 4> walls{};  // sides of the domain that are walls: upstream, downstream, left, right
   // [m] reference coordinates from which conveyors lay their blocks, so that a face that is moved goes on with the same grains.
   std::optional<std::array<double, 2>> anchor;  // none: the zone's low corner
 };

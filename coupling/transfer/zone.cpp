@@ -48,6 +48,8 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
       if (face.side == SideName::left) all.y0 -= out;
       if (face.side == SideName::right) all.y1 += out;
     }
+    all.walls = {settings_.rim.walls[0] && box.i0 == 0, settings_.rim.walls[1] && box.i1 == grid_.nx,
+                 settings_.rim.walls[2] && box.j0 == 0, settings_.rim.walls[3] && box.j1 == grid_.ny};
     double filled = 0;
     for (NewGrain& g : fill(all, flow, 0, *table_, *surface_, next_id_)) {
       int out_of = -1;

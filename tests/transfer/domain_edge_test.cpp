@@ -25,6 +25,10 @@ TEST(DomainEdge, TakesGrainsOnlyThroughOpenSides) {
   const double m = 4.0 / 3.0 * M_PI * 8e-9 * 1100;
   EXPECT_DOUBLE_EQ(edge.mass(), 2 * m);
   EXPECT_DOUBLE_EQ(edge.momentum(), 2 * m);
+  remove.clear();
+  edge.take(g, surface, remove, [](std::int64_t id) { return id != 4; });
+  EXPECT_EQ(remove, (std::vector<std::int64_t>{2, 4})) << "what is not the run's goes as well";
+  EXPECT_DOUBLE_EQ(edge.mass(), 3 * m) << "but is not booked";
 }
 
 }  // namespace

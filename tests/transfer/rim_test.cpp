@@ -15,6 +15,20 @@ TEST(Rim, HasFacesOnlyWhereTheZoneEndsInsideTheDomain) {
   EXPECT_EQ(Rim(grid, {30, 100, 0, 40}, surface, settings).faces().size(), 1u);
 }
 
+TEST(Rim, FacesKnowTheWallsOfTheDomainAtTheirEnds) {
+  RimSettings walled = settings;
+  walled.walls = {false, true, true, false};
+  using Walls = std::array<bool, 2>;
+  const auto walls = [&](const CellBox& box) {
+    std::vector<Walls> all;
+    for (const RimFace& face : Rim(grid, box, ReferenceSurface::flat(1.0), walled).faces()) all.push_back(face.walls);
+    return all;
+  };
+  EXPECT_EQ(walls({30, 60, 10, 30}), std::vector<Walls>(4, Walls{false, false}));
+  EXPECT_EQ(walls({30, 60, 0, 40}), (std::vector<Walls>{{true, false}, {true, false}})) << "the right side is open";
+  EXPECT_EQ(walls({30, 100, 10, 30}), (std::vector<Walls>{{false, false}, {false, true}, {false, true}}));
+}
+
 TEST(Rim, DistanceIsPositiveInsideAndCellsAreCountedFromTheLowEnd) {
   const auto surface = ReferenceSurface::incline(0.6, 1.0);
   const Rim rim(grid, {30, 60, 10, 30}, surface, settings);
