@@ -132,11 +132,11 @@ TEST(Effects, WhatTheSceneLeavesWithoutEffect) {
 }
 
 TEST(Effects, OfTwoInflows) {
-  const Scene s = experiment("silo_wedge", {{"boundaries.left", "{inflow: {depth: 10 mm, velocity: 1}}"}});
+  const Scene s = experiment("wedge_silo", {{"boundaries.left", "{inflow: {depth: 10 mm, velocity: 1}}"}});
   expect(s, "inflow", true,
          "upstream: 9 mm deep at 0.30605 m/s from a silo's gate (velocity by Beverloo's law with d = 0: assumed); left: 10 mm "
          "deep at 1 m/s");
-  const Scene known = experiment("silo_wedge", {{"material", "vestolen"}, {"boundaries.upstream.inflow.gate", "18 mm"}});
+  const Scene known = experiment("wedge_silo", {{"material", "vestolen"}, {"boundaries.upstream.inflow.gate", "18 mm"}});
   expect(known, "inflow", true, "upstream: 18 mm deep at 0.247475 m/s from a silo's gate (velocity by Beverloo's law: assumed)");
 }
 
@@ -174,6 +174,7 @@ TEST(Effects, OfEveryExperiment) {
   using Names = std::set<std::string>;
   const Names chute{"depth_averaged_flow", "across_slope",   "gravity_along_slope",
                     "earth_pressure",      "basal_friction", "curvature"};
+  const Names incline{"depth_averaged_flow", "across_slope", "gravity_along_slope", "earth_pressure", "basal_friction"};
   const Names grains{"grain_engine", "rolling_friction", "coupling"};
   const auto with = [](Names names, const Names& more) {
     names.insert(more.begin(), more.end());
@@ -187,12 +188,15 @@ TEST(Effects, OfEveryExperiment) {
       {"chiou_wall_quartz", {"across_slope", "gravity_along_slope", "solid_bodies", "grain_engine", "rolling_friction"}},
       {"cuboid_force", with(chute, {"steps_of_the_bed"})},
       {"eta_study", with(chute, {"planes"})},
-      {"flume_continuum", {"depth_averaged_flow", "across_slope", "gravity_along_slope", "earth_pressure", "basal_friction"}},
-      {"moriguchi_flume_grains", {"across_slope", "gravity_along_slope", "solid_bodies", "grain_engine", "rolling_friction"}},
+      {"flume_continuum", incline},
+      {"coupling_invariance", with(with(incline, grains), {"solid_bodies"})},
+      {"moriguchi_flume", with(with(incline, grains), {"solid_bodies"})},
+      {"slit_and_pillars", with(with(incline, grains), {"solid_bodies"})},
+      {"wall_overtopped", with(with(chute, grains), {"solid_bodies"})},
       {"null_zone", with(grains, {"depth_averaged_flow", "across_slope", "gravity_along_slope", "basal_friction", "inflow",
                                   "periodic_sides"})},
       {"rotation_flume", {"across_slope", "gravity_along_slope", "solid_bodies", "grain_engine"}},
-      {"silo_wedge", with(chute, {"elevation", "inflow"})},
+      {"wedge_silo", with(chute, {"elevation", "inflow"})},
       {"wedge_force", with(chute, {"elevation"})},
       {"wedge_critical_height", with(chute, {"elevation"})}};
   for (const auto& folder : std::filesystem::directory_iterator(COULOIR_SOURCE_DIR "/experiments")) {

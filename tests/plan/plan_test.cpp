@@ -135,14 +135,14 @@ TEST(Plan, WarnsOfWhatDoesNotMatch) {
   const char* side = "boundaries.upstream";
   EXPECT_THAT(make_plan(experiment("null_zone", {{side, "{inflow: {depth: 40 mm, velocity: 0.3 m/s}}"}})).warnings,
               Contains(HasSubstr("slower than its waves (Froude 0.50)")));
-  EXPECT_THAT(make_plan(experiment("silo_wedge")).warnings, Not(Contains(HasSubstr("slower than its waves"))));
+  EXPECT_THAT(make_plan(experiment("wedge_silo")).warnings, Not(Contains(HasSubstr("slower than its waves"))));
   // 1 - (1 - 1.4 d / gate)^1.5 = 0.0209 and 0.2025
   EXPECT_THAT(
-      make_plan(experiment("silo_wedge")).warnings,
+      make_plan(experiment("wedge_silo")).warnings,
       Contains("The material has no diameter: the silo's rate upstream is assumed to be that of grains without size, the most "
                "the gate lets through; grains of 0.09 mm would bring 2.1 % less, of 0.9 mm 20 %. Give material.diameter."));
   EXPECT_THAT(
-      make_plan(experiment("silo_wedge", {{"material", "vestolen"}, {"boundaries.upstream.inflow.gate", "18 mm"}})).warnings,
+      make_plan(experiment("wedge_silo", {{"material", "vestolen"}, {"boundaries.upstream.inflow.gate", "18 mm"}})).warnings,
       Not(Contains(HasSubstr("no diameter"))));
 }
 

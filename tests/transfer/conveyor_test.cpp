@@ -120,8 +120,8 @@ TEST(Conveyor, NoGrainComesInWithAWallInIt) {
     for (int window = 0; window < 400; ++window)
       for (int s = 0; s < face.segments; ++s) {
         const int first = s * face.cells_per_segment, cells = std::min(face.cells, first + face.cells_per_segment) - first;
-        conveyor.advance(s, ds, table.bulk_density() * h * ds * cells * face.cell_width, std::vector<double>(face.cells, h), 1, never,
-                         next_id, out);
+        conveyor.advance(s, ds, table.bulk_density() * h * ds * cells * face.cell_width, std::vector<double>(face.cells, h), 1,
+                         never, next_id, out);
       }
     return out;
   };
