@@ -242,6 +242,10 @@ class RimMover {
         if (face.side == SideName::left) all.y0 -= out;
         if (face.side == SideName::right) all.y1 += out;
       }
+      const CellBox& box = zone.settings_.box;
+      const auto& walls = zone.settings_.rim.walls;
+      all.walls = {walls[0] && box.i0 == 0, walls[1] && box.i1 == grid_.nx, walls[2] && box.j0 == 0,
+                   walls[3] && box.j1 == grid_.ny};
       return all;
     };
     const FillBox to = extent(now_), from = extent(before_);
@@ -250,11 +254,13 @@ class RimMover {
     const double x0 = grid_.x0 + b.i0 * grid_.dx, x1 = grid_.x0 + b.i1 * grid_.dx, y0 = grid_.y0 + b.j0 * grid_.dy,
                  y1 = grid_.y0 + b.j1 * grid_.dy;
     std::vector<FillBox> all;
-    if (to.x0 < from.x0) all.push_back({to.x0, x0, to.y0, to.y1});
-    if (to.x1 > from.x1) all.push_back({x1, to.x1, to.y0, to.y1});
+    const auto& w = to.walls;
+    if (to.x0 < from.x0) all.push_back({to.x0, x0, to.y0, to.y1, {w[0], false, w[2], w[3]}});
+    if (to.x1 > from.x1) all.push_back({x1, to.x1, to.y0, to.y1, {false, w[1], w[2], w[3]}});
     const double left = std::max(to.x0, x0), right = std::min(to.x1, x1);
-    if (to.y0 < from.y0) all.push_back({left, right, to.y0, y0});
-    if (to.y1 > from.y1) all.push_back({left, right, y1, to.y1});
+    const bool low = w[0] && left == to.x0, high = w[1] && right == to.x1;
+    if (to.y0 < from.y0) all.push_back({left, right, to.y0, y0, {low, high, w[2], false}});
+    if (to.y1 > from.y1) all.push_back({left, right, y1, to.y1, {low, high, false, w[3]}});
     return all;
   }
 

@@ -44,12 +44,13 @@ Scene read_text(const std::string& text, const std::string& folder) {
   return read_scene(folder + "/scene.yaml", COULOIR_SOURCE_DIR "/dem_inputs/materials");
 }
 
-// What an engine may leave: its logs, and the surfaces it was given.
+// What an engine may leave: its logs, and the surfaces it was given; of further zones in folders of their own.
 std::vector<std::string> leftovers(const std::string& folder) {
   std::vector<std::string> found;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name != "scene.yaml" && name != "engine.log" && name != "worker.log" && !name.starts_with("surface_"))
+    if (name != "scene.yaml" && name != "engine.log" && name != "worker.log" && !name.starts_with("surface_") &&
+        !name.starts_with("zone_"))
       found.push_back(name);
   }
   return found;

@@ -15,7 +15,8 @@ const auto never = [](int, const Vec&, double) { return false; };
 
 struct Bench {
   PackingTable table{lattice_packing(), 2500};
-  Rim rim{grid, {20, 40, 0, 10}, ReferenceSurface::flat(0.4), RimSettings{.diameter = 0.005}};
+  ReferenceSurface surface = ReferenceSurface::flat(0.4);  // the rim keeps it
+  Rim rim{grid, {20, 40, 0, 10}, surface, RimSettings{.diameter = 0.005}};
   const RimFace& face = rim.faces()[0];
   Conveyor conveyor{face, 0, table, rim.layer()};
   std::int64_t next_id = 1;
@@ -104,7 +105,8 @@ TEST(Conveyor, NoGrainComesInWithAWallInIt) {
   Packing packing = lattice_packing();
   for (auto& g : packing.grains) g.y = std::fmod(g.y + 0.0025, packing.width);  // rows on both sides of the domain
   const PackingTable table{packing, 2500};
-  const Rim walled(grid, {20, 40, 0, 10}, ReferenceSurface::flat(0.4), {.diameter = 0.005, .walls = {false, false, true, true}});
+  const auto surface = ReferenceSurface::flat(0.4);
+  const Rim walled(grid, {20, 40, 0, 10}, surface, {.diameter = 0.005, .walls = {false, false, true, true}});
   const RimFace& face = walled.faces()[0];
   const double width = face.cells * face.cell_width, h = 0.03, ds = 0.0013;
   const auto reaches_over = [&](const std::vector<NewGrain>& grains) {

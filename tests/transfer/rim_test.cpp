@@ -21,7 +21,9 @@ TEST(Rim, FacesKnowTheWallsOfTheDomainAtTheirEnds) {
   using Walls = std::array<bool, 2>;
   const auto walls = [&](const CellBox& box) {
     std::vector<Walls> all;
-    for (const RimFace& face : Rim(grid, box, ReferenceSurface::flat(1.0), walled).faces()) all.push_back(face.walls);
+    const auto surface = ReferenceSurface::flat(1.0);
+    const Rim rim(grid, box, surface, walled);
+    for (const RimFace& face : rim.faces()) all.push_back(face.walls);
     return all;
   };
   EXPECT_EQ(walls({30, 60, 10, 30}), std::vector<Walls>(4, Walls{false, false}));
