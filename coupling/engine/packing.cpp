@@ -83,6 +83,7 @@ double full_depth(const Packing& p, double diameter) {
 
 EngineSetup packing_setup(const PackingSpec& s, double top, const std::string& work_dir) {
   EngineSetup e = grain_setup(s, work_dir);
+  e.timeout = s.timeout;
   e.gravity = {0, 0, -gravity};
   e.hi = {s.length, s.width, top + 4 * s.diameter};
   e.friction = s.friction;

@@ -20,6 +20,7 @@ struct PackingSpec {
   Rotation rotation = Rotation::free;
   RotationControl control;  // of Rotation::control
   bool tangential_damping = true;
+  double timeout = 120;  // [s] of its engine, as EngineSetup's; not of what is settled
 };
 
 struct Packing {

@@ -151,6 +151,7 @@ PackingSpec packing_spec(const Scene& s, double depth) {
   const double d = s.grains.diameter;
   const bool periodic = s.sides[2].kind == SideSpec::Kind::periodic && s.terrain.width < 30 * d;
   PackingSpec spec;
+  spec.timeout = s.grains.timeout;
   spec.diameter = d;
   spec.spread = s.grains.spread;
   spec.length = 20 * d;
