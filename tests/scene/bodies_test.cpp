@@ -35,6 +35,7 @@ TEST_F(Bodies, AnStlFileBesideTheSceneBecomesTheObstacle) {
   EXPECT_NEAR(o.crest_width(), 0.1, 1e-12);
   EXPECT_EQ(read(with_dam, {{"obstacles.wall.unit", "m"},
                             {"mode", "continuum"},
+                            {"continuum.cell", "0.5 m"},
                             {"obstacles.wall.position", "[0, 0]"},
                             {"terrain.length", "200 m"},
                             {"terrain.width", "200 m"}})
@@ -80,7 +81,7 @@ TEST_F(Bodies, SaysWhatIsWrongWithAFile) {
   EXPECT_EQ(
       error(with_dam, {{"obstacles.wall.position", "[1.99 m, 0]"}}),
       "scene.yaml:6: obstacles.wall covers x from 1.99 m to 2.01 m and y from -50 mm to 50 mm, which reaches out of the domain "
-      "(x from 0 m to 2 m, y from -250 mm to 250 mm)");
+      "(x from 0 to 2 m, y from -250 mm to 250 mm)");
   EXPECT_THAT(error(with_dam, {{"obstacles.wall.unit", "m"}}), HasSubstr("which reaches out of the domain"));
 }
 

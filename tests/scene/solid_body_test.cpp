@@ -123,7 +123,7 @@ TEST(TriangleMesh, SaysWhatKeepsItFromBeingABody) {
   open.pop_back();
   EXPECT_EQ(
       flaw_of(welded(open)),
-      "is open: 3 edges have no triangle on the other side, one from [0 m, 1 m, 0 m] to [1 m, 1 m, 0 m]; close the surface, "
+      "is open: 3 edges have no triangle on the other side, one from [0 m, 0 m, 0 m] to [1 m, 1 m, 0 m]; close the surface, "
       "its base too");
   std::swap(turned[3][0], turned[3][1]);
   EXPECT_THAT(flaw_of(welded(turned)), HasSubstr("has triangles that are turned against their neighbours, along 3 edges"));
