@@ -90,7 +90,8 @@ class GrainsRun : public ModeRun {
     w.mass.grains = mass;
     w.mass.left_domain = edge_->mass();
     w.momentum.storage = momentum - momentum_before_;
-    w.momentum.boundary = -(edge_->momentum() - left_before);
+    // With the half kick that grains which left in the last window, and were taken out now, no longer get.
+    w.momentum.boundary = a.drive_impulse[0] - (edge_->momentum() - left_before);
     w.momentum.gravity = mass_before() * scene_.gravity * surface_.gravity_direction().x() * w.length;
     w.momentum.bed = side_->impulse("bed");
     for (const char* side : side_surfaces) w.momentum.boundary += side_->impulse(side);
