@@ -37,7 +37,7 @@ def main(run, t0):
 
 
 def first_zone(frames):
-    return next(g["zone"][:] for g in frames if g["zone"][:].any())
+    return next(g["zones"][0] for g in frames if "zones" in g)
 
 
 if __name__ == "__main__":

@@ -13,17 +13,15 @@ import numpy as np
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "app" / "report"))
 from read import Run  # noqa: E402
 
-COLUMN = 50e-3  # [m]
+COLUMN, WIDTH = 50e-3, 80e-3  # [m] of a column, of the chute
 
 
 def profile(run, frame, edges):
     """Mass and momentum over the bulk density, per column [m3], [m4/s]."""
-    width = run.file["grid/y"][()]
-    width = len(width) * (width[1] - width[0])
-    x = run.grid[0]
     volume, flux = np.zeros(len(edges) - 1), np.zeros(len(edges) - 1)
     if run.has_flow and frame.flow("h") is not None and run.mode != "grains":
-        cell = (x[1] - x[0]) * width
+        x = run.grid[0]
+        cell = (x[1] - x[0]) * WIDTH
         h, hu = frame.flow("h").mean(axis=0), frame.flow("hu").mean(axis=0)
         volume += np.histogram(x, edges, weights=h * cell)[0]
         flux += np.histogram(x, edges, weights=hu * cell)[0]
@@ -32,7 +30,7 @@ def profile(run, frame, edges):
         m = grain_volume(run) * (g["radius"] / np.mean(g["radius"])) ** 3
         volume += np.histogram(g["s"], edges, weights=m)[0]
         flux += np.histogram(g["s"], edges, weights=m * g["speed"])[0]
-    return volume / (COLUMN * width), flux / (COLUMN * width)
+    return volume / (COLUMN * WIDTH), flux / (COLUMN * WIDTH)
 
 
 def grain_volume(run):
@@ -49,7 +47,7 @@ def main():
     parser.add_argument("--to", dest="t1", type=float, default=0.4)
     arguments = parser.parse_args()
     runs = [Run(p) for p in arguments.runs]
-    zone = next((f.zone for r in runs for f in r.frames if f.zone is not None), (0.85, 1.45))
+    zone = next((z for r in runs for f in r.frames for z in f.zones), (0.85, 1.45))
     edges = np.arange(0.6, 1.55, COLUMN)
     means = []
     for run in runs:
