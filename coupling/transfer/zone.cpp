@@ -84,54 +84,6 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
   return grains;
 }
 
-void Zone::look_outside(const Solver& solver) {
-  // Thinner than this, a flow carries no grains worth sending: a hundredth of a diameter.
-  const double least = 0.01 * settings_.rim.diameter;
-  const double still = 1e-3 * std::sqrt(settings_.gravity * settings_.rim.diameter);
-  for (int f = 0; f < int(rim_.faces().size()); ++f) {
-    const RimFace& face = rim_.faces()[f];
-    double all_h = 0, all_hn = 0;
-    for (int s = 0; s < face.segments; ++s) {
-      double h = 0, hn = 0, ha = 0;
-      const auto [first, last] = face.cells_of_segment(s);
-      for (int k = first; k < last; ++k) {
-        const auto [i, j] = rim_.outside_cell(face, k);
-        const FlowState q = solver.at(i, j);
-        h += q.h;
-        hn += face.sign() * (face.axis() == 0 ? q.hu : q.hv);
-        ha += face.axis() == 0 ? q.hv : q.hu;
-      }
-      Segment& segment = segments_[f][s];
-      segment.depth = h / (last - first);
-      segment.comes = h > 0 ? hn / h : 0;
-      if (segment.depth <= least && !closed_) continue;  // the last flow's velocity carries its driven grains in
-      segment.along = h > 0 ? ha / h : 0;
-      segment.fast_outflow = hn < -2 * h * std::sqrt(settings_.gravity * segment.depth);
-      // A flow that slides along the face is not drawn in: its driven layer would leave the face sideways before it came in.
-      const bool before = segment.inflow;
-      segment.inflow = !closed_ && hn > still * h && hn > steepest_ * std::abs(ha);
-      if (segment.inflow) all_h += h, all_hn += hn;
-      // A raft starts with its flow: one that had to be pushed into motion would dam it up first.
-      if (segment.inflow != before) segment.raft = segment.rate = segment.inflow ? hn / h : 0;
-    }
-    // One velocity for the face's free inflow, so that neighbouring rafts keep step and do not shear their grains into each
-    // other; the depths differ, so the flow that each cell gives still does.
-    if (all_h > 0)
-      for (Segment& segment : segments_[f])
-        if (segment.inflow) segment.normal = all_hn / all_h;
-  }
-}
-
-double Zone::push(const Solver& solver, int f, int k, double raft) const {
-  const RimFace& face = rim_.faces()[f];
-  const auto [i, j] = rim_.outside_cell(face, k);
-  const FlowState q = solver.at(i, j);
-  if (q.h <= 0) return 0;
-  const double pressure = solver.earth_pressure(i, j)[face.axis()] * settings_.gravity * std::cos(surface_->angle(grid_.x(i)));
-  const double w = std::max(0.0, face.sign() * (face.axis() == 0 ? q.hu : q.hv) / q.h - raft);
-  return q.h * w * w + 0.5 * pressure * q.h * q.h + q.h * w * (w + std::sqrt(pressure * q.h));
-}
-
 void Zone::impose(Solver& solver) {
   look_outside(solver);
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
@@ -254,34 +206,6 @@ AdvanceRequest Zone::request(Solver& solver) {
   return request;
 }
 
-void Zone::drive_strip(const Solver& solver, const RimFace& face, int first, int last, SegmentDrive& drive) const {
-  const int reach = int(rim_.buffer() / (face.axis() == 0 ? grid_.dx : grid_.dy)), outwards = -int(face.sign());
-  const auto mean = [&](bool beyond) {  // over the segment's cells: where the strip stands, or just inside of the face
-    FlowState sum;
-    for (int k = first; k < last; ++k) {
-      auto [i, j] = beyond ? rim_.outside_cell(face, k) : rim_.inside_cell(face, k);
-      if (beyond) (face.axis() == 0 ? i : j) += outwards * reach;
-      const FlowState q = solver.at(std::clamp(i, 0, grid_.nx - 1), std::clamp(j, 0, grid_.ny - 1));
-      sum.h += q.h, sum.hu += q.hu, sum.hv += q.hv;
-    }
-    return sum;
-  };
-  const auto outward = [&](const FlowState& q) { return outwards * (face.axis() == 0 ? q.hu : q.hv); };
-  const FlowState there = mean(true), here = mean(false);
-  const double depth = there.h / (last - first);
-  drive.exit_active = depth > 0.5 * settings_.rim.diameter && outward(there) > 0 && outward(here) > 0;
-  if (!drive.exit_active) return;
-  // A subcritical outflow is told by the flow beyond how fast to leave. A supercritical one has made the flow beyond: that
-  // velocity alone feeds back and runs away by 1 % in a zone's length, its own alone by 2 % the other way (measured, Fr 1.66);
-  // half of each does not.
-  const double own = outward(there) > there.h * std::sqrt(settings_.gravity * depth) ? 0.5 : 0;
-  const double u = own * here.hu / here.h + (1 - own) * there.hu / there.h;
-  const double v = own * here.hv / here.h + (1 - own) * there.hv / there.h;
-  const double x = grid_.x(rim_.outside_cell(face, (first + last) / 2).first);
-  const Eigen::Vector3d velocity = u * surface_->tangent(x) + v * Eigen::Vector3d::UnitY();
-  drive.exit_velocity = {velocity.x(), velocity.y(), velocity.z()};
-}
-
 Conveyor::Occupied Zone::occupied(int face, const std::vector<NewGrain>& inserted) const {
   // Two per cent: what an impact of half a metre a second makes. More would throw the grain out of the flow when it is freed.
   return [this, face, &inserted](int segment, const Vec& p, double r) {
@@ -348,33 +272,6 @@ void Zone::absorb(const Advanced& advanced, Solver& solver) {
   remove_.erase(std::unique(remove_.begin(), remove_.end()), remove_.end());
 
   show(g, solver, true);
-}
-
-std::vector<Zone::Look> Zone::look(const Solver& solver, const RimFace& face, int cells) const {
-  const int f = int(&face - rim_.faces().data());
-  std::vector<Look> out(face.cells);
-  for (int k = 0; k < face.cells; ++k) {
-    const auto [i, j] = rim_.outside_cell(face, k);
-    auto [ci, cj] = rim_.inside_cell(face, k);
-    (face.axis() == 0 ? ci : cj) += int(face.sign()) * cells;
-    const auto normal = [&](const FlowState& q) { return q.h > 0 ? face.sign() * (face.axis() == 0 ? q.hu : q.hv) / q.h : 0; };
-    const FlowState outside = solver.at(i, j);
-    const CellBox& box = settings_.box;
-    const FlowState inside = solver.at(std::clamp(ci, box.i0, box.i1 - 1), std::clamp(cj, box.j0, box.j1 - 1));
-    const double u = segments_[f][face.segment_of_cell(k)].inflow ? normal(outside) : 0;
-    out[k] = {u, normal(inside), outside.h, outside.h > 0 ? u / std::sqrt(settings_.gravity * outside.h) : 0};
-    if (inside.h < 0.5 * settings_.rim.diameter) out[k].inside = u;  // no grains there yet
-  }
-  return out;
-}
-
-bool Zone::flow_comes(const Solver& solver) {
-  look_outside(solver);
-  const double d = settings_.rim.diameter, least = 0.1 * std::sqrt(settings_.gravity * d);
-  for (const auto& face : segments_)
-    for (const Segment& segment : face)
-      if (segment.comes > least && segment.depth > 0.5 * d) return true;
-  return false;
 }
 
 void Zone::rest(const Grains& g, Solver& solver) {
