@@ -124,8 +124,9 @@ TEST(Plan, FinerCostsMore) {
 }
 
 TEST(Plan, WarnsOfWhatDoesNotMatch) {
-  const Plan plan =
-      make_plan(experiment("chiou_wall", {{"grains.base_friction", "0.3"}, {"grains.zone", "{x: [0.61, 0.7], y: [-0.2, 0.2]}"}}));
+  const Plan plan = make_plan(experiment(
+      "chiou_wall",
+      {{"grains.base_friction", "0.3"}, {"grains.zone", "{x: [0.61, 0.7], y: [-0.2, 0.2]}"}, {"grains.follow", "off"}}));
   EXPECT_THAT(plan.warnings,
               Contains("The two models brake differently: base friction of the grains is 0.3, tan(delta) is 0.445."));
   EXPECT_THAT(plan.warnings,

@@ -62,7 +62,7 @@ TEST(AutomaticZone, DoesNotDependOnHowLongTheRunIs) {
 }
 
 TEST(AutomaticZone, CoversAllObstaclesAndMeetsNearSides) {
-  const Scene s = experiment("chiou_wall", {{"obstacles.post", "{position: [750 mm, 345 mm], size: [20 mm, 20 mm, 60 mm]}"}});
+  const Scene s = experiment("chiou_wall", {{"obstacles.post", "{position: [750 mm, 320 mm], size: [20 mm, 120 mm, 60 mm]}"}});
   const ZoneBox z = automatic(s);
   EXPECT_GE(z.x1, 0.77);
   EXPECT_NEAR(z.y1, 0.4, 1e-9) << "moved onto the side";
