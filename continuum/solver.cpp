@@ -65,6 +65,16 @@ void Solver::set(int i, int j, const FlowState& q) {
   impl_->set_active(i, j);
 }
 
+void Solver::add(int i, int j, const FlowState& more) {
+  require_cell(grid(), i, j);
+  if (impl_->zones.contains(i, j)) {
+    std::ostringstream text;
+    text << "Cell (" << i << ", " << j << ") is covered, so what falls into it is not the solver's; let it fall beside the zone.";
+    throw std::out_of_range(text.str());
+  }
+  impl_->add(i, j, more);
+}
+
 FlowState Solver::at(int i, int j) const {
   impl_->sync();
   require_cell(grid(), i, j);

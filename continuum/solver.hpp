@@ -35,6 +35,9 @@ class Solver final : public FlowModel {
   // Material that is set is active (mobilisation.hpp).
   void set(const std::function<FlowState(double x, double y)>&) override;
   void set(int i, int j, const FlowState&) override;
+  // Material that falls into a cell from above: depth [m] and depth times velocity [m2/s], alike in all finer cells in it. What
+  // stays thinner than the dry depth has no momentum (Budget::cutoff). Throws std::out_of_range where the cell is covered.
+  void add(int i, int j, const FlowState&);
   // A lake: still material up to this height above the reference surface [m].
   void fill_to(double surface);
   FlowState at(int i, int j) const override;

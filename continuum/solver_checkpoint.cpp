@@ -9,7 +9,7 @@
 namespace couloir {
 namespace {
 
-constexpr std::uint64_t signature = 0x35526c6f75636f63;  // changes with the layout
+constexpr std::uint64_t signature = 0x36526c6f75636f63;  // changes with the layout
 
 }  // namespace
 

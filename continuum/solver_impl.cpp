@@ -224,6 +224,20 @@ FlowState Solver::Impl::get(int i, int j) const {
   return {sum.h / n, sum.hu / n, sum.hv / n};
 }
 
+void Solver::Impl::add(int i, int j, const FlowState& more) {
+  sync();
+  for_cells_in(i, j, [&](int k, int c) {
+    const Grid& g = mesh.blocks()[k].grid;
+    const double area = g.dx * g.dy;
+    Fields& q = states[k].now;
+    const FlowState sum{q.h[c] + more.h, q.hu[c] + more.hu, q.hv[c] + more.hv};
+    put_in(k, c, sum);
+    budget.mass_added += area * more.h;
+    const double wanted[] = {more.hu, more.hv}, lost[] = {q.hu[c] - sum.hu, q.hv[c] - sum.hv};
+    for (int n : {0, 1}) budget.added[n] += area * wanted[n], budget.cutoff[n] += area * lost[n];
+  });
+}
+
 double Solver::Impl::least_depth(int i, int j) const {
   double least = std::numeric_limits<double>::infinity();
   for_cells_in(i, j, [&](int k, int c) { least = std::min(least, states[k].now.h[c]); });

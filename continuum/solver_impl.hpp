@@ -105,6 +105,7 @@ struct Solver::Impl {
   // Of a cell of the coarsest grid: put() gives all finer ones in it the same, get() takes their mean.
   void put(int i, int j, const FlowState&);
   FlowState get(int i, int j) const;
+  void add(int i, int j, const FlowState&);  // to all finer ones in it
   void put_in(int block, int cell, const FlowState&);
   double least_depth(int i, int j) const;  // of the finer ones in it
   // Of a cell of this level, or the mean of the finer ones in it; none where the cells are coarser.

@@ -27,6 +27,7 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
     impulse_.push_back({0, 0});
   }
 
+  if (solver_ && scene.mode == Mode::coupled && !scene.obstacles.empty()) make_airborne(scene, surface);
   model_->set([&](double x, double y) { return release_at(scene, x, y); });
   // The cells' sampling of the release is off by its edge; the depth is scaled so that the mass is exact.
   const double wanted = release_volume(scene), sampled = model_->volume();
@@ -72,6 +73,21 @@ void FlowSide::lay_bed(const StepBed& bed, int levels) {
     for (int i = 0; i < grid.nx; ++i)
       for (const StepObstacle& o : bed.obstacles)
         if (o.height > 0) bed_[std::size_t(j) * grid.nx + i] += o.top(grid.x(i), grid.y(j));
+}
+
+void FlowSide::make_airborne(const Scene& scene, const ReferenceSurface& surface) {
+  AirborneSettings s;
+  s.grid = model_->grid();
+  for (int q = 0; q < 4; ++q) {
+    const SideSpec& side = scene.sides[q];
+    s.sides[q] = side.kind == SideSpec::Kind::periodic ? AirborneSettings::Edge::periodic
+                 : side.open()                         ? AirborneSettings::Edge::open
+                                                       : AirborneSettings::Edge::wall;
+  }
+  s.bed = bed_;
+  s.gravity = scene.gravity;
+  s.bulk_density = density_;
+  airborne_ = std::make_unique<Airborne>(s, surface);
 }
 
 // The top of a step is its footprint; that of a smooth body are its highest cells: a plateau, or the cells around a peak.
@@ -120,12 +136,14 @@ const std::vector<ForceMeasure>& FlowSide::measure(const Scene& scene, const Ref
 
 void FlowSide::advance_to(double t) {
   const double before = cpu_now();
+  const double from = model_->time();
   model_->advance_to(t);
+  if (airborne_) airborne_->advance(model_->time() - from, *solver_);
   cpu_ += cpu_now() - before;
 }
 
 double FlowSide::momentum() const {
-  return density_ * model_->momentum()[0];
+  return density_ * model_->momentum()[0] + (airborne_ ? airborne_->momentum() : 0);
 }
 
 void FlowSide::report(WindowReport& w) {
@@ -145,6 +163,13 @@ void FlowSide::report(WindowReport& w) {
   w.momentum.obstacles += density_ * b.obstacles[0];
   w.momentum.faces += density_ * b.zone[0];
   w.momentum.copied += density_ * b.copied[0];
+  if (airborne_) {
+    const Airborne::Booked booked = airborne_->collect();
+    w.mass.airborne += airborne_->mass();
+    w.mass.left_domain += airborne_->left();
+    w.momentum.gravity += booked.gravity;
+    w.momentum.boundary -= booked.left;
+  }
   const double now = momentum();
   w.momentum.storage += now - momentum_before_;
   momentum_before_ = now;
@@ -220,6 +245,7 @@ void FlowSide::state(Archive& a) {
   a(model);
   if (a.loading()) model_->restore(model);
   if (measures_) a(*measures_);
+  if (airborne_) a(*airborne_);
   a(least_climbing_, impulse_, initial_mass_, boundary_mass_, inflow_mass_, copied_mass_, momentum_before_, cpu_);
 }
 

@@ -10,6 +10,7 @@
 #include "coupling/loop/force_measures.hpp"
 #include "coupling/loop/observer.hpp"
 #include "coupling/scene/scene.hpp"
+#include "coupling/transfer/airborne.hpp"
 
 namespace couloir {
 
@@ -20,12 +21,13 @@ class FlowSide {
   FlowSide(const Scene&, const ReferenceSurface&, int threads, const Ranks& = {});
 
   FlowModel& model() { return *model_; }
-  Solver& solver() { return *solver_; }  // of the coupled mode, whose scenes are central upwind
+  Solver& solver() { return *solver_; }             // of the coupled mode, whose scenes are central upwind
+  Airborne* airborne() { return airborne_.get(); }  // null: nothing flies (coupling/plan/effects.cpp says when)
   const std::vector<double>& bed() const { return bed_; }
   double density() const { return density_; }            // [kg/m3]
   double initial_mass() const { return initial_mass_; }  // [kg]
 
-  void advance_to(double t);           // [s]; counts CPU
+  void advance_to(double t);           // [s] flow and flights; counts CPU
   double cpu() const { return cpu_; }  // [s]
 
   // Takes up the other measures of force; zones: the cells that will be covered. report() then fills them in.
@@ -33,7 +35,7 @@ class FlowSide {
 
   // Ledger entries of the solver since the last call: mass state, momentum terms, counters.
   void report(WindowReport&);
-  double momentum() const;  // [N s] along x, present
+  double momentum() const;  // [N s] along x, present, with what flies
   // Cells were covered: what they held is no storage of the next report.
   void forget_covered() { momentum_before_ = momentum(); }
   ObstacleForce force(int obstacle, double window);  // mean since the last call for this obstacle
@@ -53,6 +55,7 @@ class FlowSide {
     std::function<double(double x, double y)> height;  // [m] 0 beside it
   };
   void lay_bed(const StepBed&, int levels);
+  void make_airborne(const Scene&, const ReferenceSurface&);
   static Top top_of(const ObstacleSpec&, int id, const StepBed&);
   double depth_on(const Top&) const;  // [m] the greatest, in the finest cells
   int add_gauge(const ObstacleSpec&);
@@ -73,6 +76,7 @@ class FlowSide {
   std::vector<std::array<double, 2>> impulse_;  // by obstacle, at the last call
   std::vector<Top> tops_;                       // by obstacle
   std::optional<ForceMeasures> measures_;
+  std::unique_ptr<Airborne> airborne_;
   std::vector<double> h_, hu_, hv_;
   double initial_mass_ = 0, boundary_mass_ = 0, inflow_mass_ = 0, copied_mass_ = 0, momentum_before_ = 0, cpu_ = 0;
 };

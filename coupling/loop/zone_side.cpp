@@ -188,7 +188,7 @@ void ZoneSide::advance() {
 
 void ZoneSide::take_back() {
   if (!engine()) return;
-  zone_->absorb(grains_->last(), flow_.solver());
+  zone_->absorb(grains_->last(), flow_.solver(), flow_.airborne());
   std::vector<std::int64_t> left;
   edge_->take(grains_->last().grains, surface_, left, [&](std::int64_t id) { return !zone_->is_shadow(id); });
   zone_->take_out(left);

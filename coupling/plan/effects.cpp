@@ -252,11 +252,12 @@ struct Listing {
       const double spare = run_up(o) - o.height;
       if (!lowest || spare > least) least = spare, lowest = &o;
     }
-    return {"airborne", false,
-            fmt::format(
-                "flight ends at the zone's edge, where a grain becomes flow of the next cell; the energy line reaches {} at {}, "
-                "which is {} high",
-                fmt::format("{:.3g} mm", run_up(*lowest) * 1e3), lowest->name, len(lowest->height))};
+    return {
+        "airborne", true,
+        fmt::format(
+            "grains that leave a zone in the air, more than a diameter above the flow, fly on and become flow where they come "
+            "down; the energy line reaches {} at {}, which is {} high",
+            fmt::format("{:.3g} mm", run_up(*lowest) * 1e3), lowest->name, len(lowest->height))};
   }
 
   // Depth and velocity head of the flow expected at an obstacle.

@@ -12,7 +12,8 @@ void Handback::mark_shadow(std::int64_t id) {
   shadow_[id] = 1;
 }
 
-void Handback::sort(const Grains& g, const std::vector<std::vector<Outside>>& outside, std::vector<std::int64_t>& remove) {
+void Handback::sort(const Grains& g, const std::vector<std::vector<Outside>>& outside, std::vector<std::int64_t>& remove,
+                    const Flies& flies) {
   const double d = rim_->settings().diameter;
   const auto& faces = rim_->faces();
   for (std::size_t i = 0; i < g.size(); ++i) {
@@ -25,6 +26,12 @@ void Handback::sort(const Grains& g, const std::vector<std::vector<Outside>>& ou
 
     const bool shadow = is_shadow(g.id[i]);
     if (at < 0 && !shadow) continue;
+    if (!shadow && flies && flies(i)) {
+      ++returned_;
+      mark_shadow(g.id[i]);  // in the engine until the next window, but counted in the air
+      remove.push_back(g.id[i]);
+      continue;
+    }
 
     const RimFace* face = at >= 0 ? &faces[at] : nullptr;
     if (at < 0) {  // a shadow has come back: through the face it is nearest to

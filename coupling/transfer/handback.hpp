@@ -4,11 +4,12 @@
 // rarefaction that reaches 10 to 15 d upstream), but no longer counted. Shadows end at the buffer's far side; one that comes back
 // takes its mass back from the continuum. Out of a fast flow (normal Froude number above 2) nothing travels back in, and a short
 // buffer will do. Where the flow outside comes in, a grain that is a diameter out is handed back and
-// removed: the driven layer stands there.
+// removed: the driven layer stands there. A grain in the air is neither handed back nor a shadow: it flies on (airborne.hpp).
 //
 // Keeps: mass (exactly), momentum along the surface (exactly; the part along the normal is lost to the bed).
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "coupling/checkpoint/archive.hpp"
@@ -30,8 +31,10 @@ class Handback {
     double buffer = 0;    // [m] how far out shadows live
   };
   // Sorts out all free grains after a window. `outside[face][segment]`.
-  // Appends to `remove` the ids that must go.
-  void sort(const Grains&, const std::vector<std::vector<Outside>>& outside, std::vector<std::int64_t>& remove);
+  // Appends to `remove` the ids that must go. `flies`: takes over a grain that is in the air; it is no shadow then.
+  using Flies = std::function<bool(std::size_t grain)>;
+  void sort(const Grains&, const std::vector<std::vector<Outside>>& outside, std::vector<std::int64_t>& remove,
+            const Flies& flies = {});
 
   std::vector<std::vector<Parcel>>& pending() { return pending_; }  // [face][cell]
   const std::vector<std::vector<Parcel>>& pending() const { return pending_; }

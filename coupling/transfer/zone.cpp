@@ -252,7 +252,7 @@ void Zone::settle_departed(int f, int s) {
   handback_.pending()[f][middle].mass += mass;
 }
 
-void Zone::absorb(const Advanced& advanced, Solver& solver) {
+void Zone::absorb(const Advanced& advanced, Solver& solver, Airborne* airborne) {
   const Grains& g = advanced.grains;
   find_layer(g);
   std::vector<std::vector<Handback::Outside>> outside;
@@ -267,7 +267,10 @@ void Zone::absorb(const Advanced& advanced, Solver& solver) {
       if (!segment.inflow && advanced.segments[f][s].mass > 0) settle_departed(f, s);
     }
   }
-  handback_.sort(g, outside, remove_);
+  const auto flies = [&](std::size_t k) {
+    return airborne && airborne->take_off(g, k, table_->grain_mass(g.radius[k]), settings_.rim.diameter, solver);
+  };
+  handback_.sort(g, outside, remove_, flies);
   std::sort(remove_.begin(), remove_.end());
   remove_.erase(std::unique(remove_.begin(), remove_.end()), remove_.end());
 

@@ -14,6 +14,7 @@
 #include <functional>
 #include <vector>
 
+#include "coupling/transfer/airborne.hpp"
 #include "coupling/transfer/coarse_grain.hpp"
 #include "coupling/transfer/conveyor.hpp"
 #include "coupling/transfer/handback.hpp"
@@ -54,7 +55,7 @@ class Zone {
   void begin_window(std::int64_t steps, double length) { steps_ = steps, window_ = length; }
   void impose(Solver&);
   AdvanceRequest request(Solver&);
-  void absorb(const Advanced&, Solver&);
+  void absorb(const Advanced&, Solver&, Airborne* = nullptr);  // null: what flies lands in the cell next to the face
   void take_out(const std::vector<std::int64_t>& ids);  // grains that have left the domain: no longer counted, removed next
 
   const Rim& rim() const { return rim_; }

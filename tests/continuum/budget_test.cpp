@@ -79,5 +79,34 @@ TEST(Gauge, CountsTheVolumeThatCrosses) {
   EXPECT_GT(s.gauge(low), 1e-4);
 }
 
+// What falls into cells is in the budget, films' momentum as cut off; the cells' earth pressure stays what it was.
+TEST(Budget, KnowsWhatFallsFromAbove) {
+  Solver s = heap_on_block(1);
+  s.advance_to(0.1);
+  const auto k = s.earth_pressure(15, 20);
+  s.reset_budget();
+  const double volume = s.volume();
+  const auto momentum = s.momentum();
+  const FlowState before = s.at(15, 20);
+  s.add(15, 20, {0.01, 0.02, -0.005});
+  s.add(3, 3, {1e-9, 1e-9, 0});
+  EXPECT_DOUBLE_EQ(s.at(15, 20).h, before.h + 0.01);
+  EXPECT_DOUBLE_EQ(s.at(15, 20).hu, before.hu + 0.02);
+  EXPECT_EQ(s.at(3, 3).hu, 0) << "thinner than the dry depth";
+  EXPECT_EQ(s.earth_pressure(15, 20), k);
+  const double area = 0.02 * 0.02;
+  EXPECT_NEAR(s.budget().mass_added, area * (0.01 + 1e-9), 1e-20);
+  EXPECT_NEAR(s.budget().added[0], area * (0.02 + 1e-9), 1e-20);
+  EXPECT_NEAR(s.budget().cutoff[0], -area * 1e-9, 1e-22);
+  for (int n = 0; n < 20; ++n) s.step(0.002);
+  const Budget& b = s.budget();
+  EXPECT_NEAR(s.volume(), volume + b.mass_added + b.mass_boundary, 1e-13 * volume);
+  for (int q : {0, 1}) {
+    const double sum = b.gravity[q] + b.friction[q] + b.boundary[q] + b.obstacles[q] + b.added[q] + b.cutoff[q];
+    EXPECT_NEAR(s.momentum()[q] - momentum[q], sum, 1e-13 * std::abs(b.gravity[0])) << q;
+  }
+  EXPECT_THROW(s.add(60, 3, {}), std::out_of_range);
+}
+
 }  // namespace
 }  // namespace couloir::test

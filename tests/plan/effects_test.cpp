@@ -43,8 +43,8 @@ TEST(Effects, OfTheWall) {
   expect(s, "grain_engine", true, "mode is coupled: liggghts, contact hertz, grains of 4 mm, 1 rank");
   expect(s, "side_friction", false, "neither the left nor the right side is a wall");
   expect(s, "coupling", true, "mode is coupled, with an automatic zone around the obstacles");
-  EXPECT_FALSE(effect(s, "airborne").on);
-  EXPECT_NE(effect(s, "airborne").reason.find("flight ends at the zone's edge"), std::string::npos);
+  EXPECT_TRUE(effect(s, "airborne").on);
+  EXPECT_NE(effect(s, "airborne").reason.find("become flow where they come down"), std::string::npos);
 }
 
 TEST(Effects, OfTheNullZone) {
