@@ -106,18 +106,19 @@ void add_obstacles_and_sides(EngineSetup& setup, const Scene& s, const Reference
     solid(o.name, mesh.rest);
     for (std::size_t n = 0; n < gauges.size(); ++n) solid(surface_of({k, o.name, gauges[n].name}), mesh.gauges[n]);
   }
-  const double half = s.terrain.width / 2, length = s.terrain.total_length();
+  // A side that lies on the domain's is off by rounding of the cell lines.
+  const double half = s.terrain.width / 2, length = s.terrain.total_length(), near = 1e-9;
   const auto side = [&](const char* name, std::vector<Triangle> mesh) {
     setup.surfaces.push_back({name, std::move(mesh), m.side_friction, m.base_rolling_friction});
   };
   using Kind = SideSpec::Kind;
-  if (s.sides[2].kind == Kind::wall && region.y0 <= -half)
+  if (s.sides[2].kind == Kind::wall && region.y0 < -half + near)
     side(side_surfaces[0], side_mesh(surface, region.x0, region.x1, -half, height, size));
-  if (s.sides[3].kind == Kind::wall && region.y1 >= half)
+  if (s.sides[3].kind == Kind::wall && region.y1 > half - near)
     side(side_surfaces[1], side_mesh(surface, region.x0, region.x1, half, height, size));
-  if (s.sides[0].kind == Kind::wall && region.x0 <= 0)
+  if (s.sides[0].kind == Kind::wall && region.x0 < near)
     side(side_surfaces[2], end_mesh(surface, 0, region.y0, region.y1, height, size));
-  if (s.sides[1].kind == Kind::wall && region.x1 >= length)
+  if (s.sides[1].kind == Kind::wall && region.x1 > length - near)
     side(side_surfaces[3], end_mesh(surface, length, region.y0, region.y1, height, size));
 }
 

@@ -78,6 +78,7 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
     mass -= filled;
   }
   remainder_ = mass;
+  own_from_ = next_id_;  // a lateral layer is cut across the way in which its conveyor's block lies
   fresh_ = true;
   inserted_ = long(grains.size());
   covered_ = solver.cover(box);

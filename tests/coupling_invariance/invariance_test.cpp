@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 #include "coupling/records/force_series.hpp"
@@ -81,6 +82,7 @@ double scatter(const std::vector<Figures>& groups, Pick pick) {
 constexpr double most_shift = 2;
 
 TEST(Invariance, OfTheForceOnAWall) {
+  if (!std::getenv("COULOIR_LONG_TESTS")) GTEST_SKIP() << "40 runs, some minutes: set COULOIR_LONG_TESTS=1";
   std::vector<Figures> all{
       figures("base", {}),
       figures("longer zone", {{"grains.zone", "{x: [260 mm, 720 mm], y: [-140 mm, 180 mm]}"}}),
