@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numeric>
+#include <algorithm>
+#include <array>
 
 #include "coupling/loop/engine_setup.hpp"
 #include "coupling/loop/stress_gauges.hpp"

@@ -16,8 +16,6 @@ constexpr double to_shrink = 0.1, to_rest = 0.05;  // [s]
 constexpr double at_rest = 0.02;                   // [sqrt(g d)]
 constexpr double stragglers = 0.002;               // of the grains
 
-constexpr std::array side_words{"upstream", "downstream", "to low y", "to high y"};
-
 int cells_in(double length, double step) {
   return std::max(1, int(std::ceil(length / step - 1e-9)));
 }

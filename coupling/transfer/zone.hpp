@@ -11,7 +11,6 @@
 // in the ledger (`faces_mass`). At a segment into which the flow comes, the raft (grain_engine.hpp) moves under the grains'
 // forces and the push of the flow that it dams up: the mirrored Riemann problem of (h, u - u_raft), with the flow's own K.
 
-#include <functional>
 #include <vector>
 
 #include "coupling/transfer/airborne.hpp"

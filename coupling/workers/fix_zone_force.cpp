@@ -21,6 +21,7 @@ void FixZoneForce::post_force(int) {
 }
 
 void FixZoneForce::act() {
+  if (faces_->empty()) return;  // the zone is all: what the surfaces' own counts say
   if (!before_) {
     forces_.assign(&atom->f[0][0], &atom->f[0][0] + 3 * std::size_t(atom->nlocal));
     return;

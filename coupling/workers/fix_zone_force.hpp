@@ -11,6 +11,7 @@ namespace couloir {
 class FixZoneForce : public LAMMPS_NS::Fix {
  public:
   FixZoneForce(LAMMPS_NS::LAMMPS*, int, char**);  // fix ID all couloir/zone_force before|after
+  // before: null for the first of the two. Without faces it counts nothing.
   void watch(FixZoneForce* before, const std::vector<DriveFace>* faces) { before_ = before, faces_ = faces; }
   int setmask() override;
   void setup(int) override;

@@ -79,7 +79,9 @@ Session::Session(const EngineSetup& setup, const std::string& checkpoint, MPI_Co
   drive_ = find_fix<FixDrive>(engine_, "drive");
   probe_ = find_fix<FixForceProbe>(engine_, "probe");
   zone_force_ = find_fix<FixZoneForce>(engine_, "zone_after");
-  zone_force_->watch(find_fix<FixZoneForce>(engine_, "zone_before"), &drive_->faces());
+  FixZoneForce* const zone_before = find_fix<FixZoneForce>(engine_, "zone_before");
+  zone_before->watch(nullptr, &drive_->faces());
+  zone_force_->watch(zone_before, &drive_->faces());
   std::vector<double*> counts;
   for (std::size_t k = 0; k < setup.surfaces.size(); ++k) counts.push_back(mesh_force(engine_, fmt::format("mesh_{}", k)));
   probe_->set_meshes(counts);

@@ -25,6 +25,11 @@ void Session::report_surfaces(Advanced& result) const {
   }
   for (int c = 0; c < 3; ++c) result.drive_impulse[c] = sums[6 * surfaces + c];
   for (int c = 0; c < 3; ++c) result.zone_force[c] = sums[6 * surfaces + 3 + c];
+  if (setup_.faces.empty()) {
+    result.zone_force = {};
+    for (const Vec& force : result.surface_force)
+      for (int c = 0; c < 3; ++c) result.zone_force[c] -= force[c];
+  }
   const double* next = sums.data() + 6 * surfaces + 6;
   for (std::size_t k = 0; k < surfaces; ++k) {
     auto& samples = result.surface_force_samples.emplace_back(probe_->samples(k).size());
