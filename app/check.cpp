@@ -23,7 +23,7 @@ struct CheckVerb : CaseOptions {
 int check(const CheckVerb& verb) {
   std::vector<Expected> expected;
   for (const std::string& file : find_case_files(verb.experiments, "expected.yaml"))
-    expected.push_back(read_expected(file, {verb.quick, verb.variants}));
+    expected.push_back(read_expected(file, verb.choice()));
   if (std::ranges::all_of(expected, [](const Expected& e) { return e.cases.empty(); }))
     throw SceneError("there is nothing to check: no case is left; give other experiments, or another --variant");
 

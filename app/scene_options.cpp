@@ -8,6 +8,20 @@
 #include "coupling/scene/scene_error.hpp"
 
 namespace couloir {
+namespace {
+
+Overrides overrides_of(const std::vector<std::string>& set) {
+  Overrides out;
+  for (const std::string& s : set) {
+    const auto at = s.find('=');
+    if (at == std::string::npos || at == 0)
+      throw SceneError("--set " + s + ": a key and a value are needed, as in --set grains.seed=7");
+    out.emplace_back(s.substr(0, at), s.substr(at + 1));
+  }
+  return out;
+}
+
+}  // namespace
 
 void SceneOptions::declare(CLI::App& verb) {
   verb.add_option("SCENE", path, "a scene file, or an experiment's folder")->required();
@@ -20,21 +34,24 @@ void SceneOptions::declare(CLI::App& verb) {
 Scene SceneOptions::read() const {
   Overrides overrides;
   if (!mode.empty()) overrides.emplace_back("mode", mode);
-  for (const std::string& s : set) {
-    const auto at = s.find('=');
-    if (at == std::string::npos || at == 0)
-      throw SceneError("--set " + s + ": a key and a value are needed, as in --set grains.seed=7");
-    overrides.emplace_back(s.substr(0, at), s.substr(at + 1));
-  }
+  const Overrides given = overrides_of(set);
+  overrides.insert(overrides.end(), given.begin(), given.end());
   return read_scene(path, materials_folder(), overrides);
 }
 
 void CaseOptions::declare(CLI::App& verb, const std::string& quick_help, const std::string& json_help) {
   verb.add_flag("--quick", quick, quick_help);
   verb.add_option("--variant", variants, "only this variant; may be given more than once")->take_all()->allow_extra_args(false);
+  verb.add_option("--set", set, "key=value for every run, after all that the file sets; may be given more than once")
+      ->take_all()
+      ->allow_extra_args(false);
   verb.add_option("--jobs", jobs, "runs at a time; default: as many as there are cores")->check(CLI::Range(1, 256));
   verb.add_option("--runs", runs, "folder of the runs, which are kept and used again");
   verb.add_flag("--json", json, json_help);
+}
+
+CaseChoice CaseOptions::choice() const {
+  return {quick, variants, overrides_of(set)};
 }
 
 std::string own_program() {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/cases/case_reader.hpp"
 #include "coupling/scene/scene.hpp"
 
 namespace couloir {
@@ -19,13 +20,14 @@ struct SceneOptions {
 
 // Those that check and study share: which cases, and how their runs are made.
 struct CaseOptions {
-  std::vector<std::string> variants;
+  std::vector<std::string> variants, set;
   std::string runs = "runs/check";
   int jobs = 0;
   bool quick = false, json = false;
 
   // `quick_help`, `json_help`: what the two flags do for this verb.
   void declare(CLI::App&, const std::string& quick_help, const std::string& json_help);
+  CaseChoice choice() const;  // throws SceneError
 };
 
 // The program itself, for runs in processes of their own.

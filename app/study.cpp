@@ -78,7 +78,7 @@ class Screen {
 };
 
 int study(const StudyVerb& verb) {
-  const Study study = read_study(study_file(verb.path), {verb.quick, verb.variants}, materials_folder());
+  const Study study = read_study(study_file(verb.path), verb.choice(), materials_folder());
   const int jobs = jobs_or_cores(verb.jobs);
   RunPool pool(own_program(), verb.runs, materials_folder(), jobs);
   if (verb.dry_run) return dry_run(verb, study, pool, jobs);

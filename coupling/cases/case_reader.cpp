@@ -84,6 +84,13 @@ CaseSetup CaseReader::setup(const CaseFields& f) const {
   return out;
 }
 
+Overrides CaseReader::last_overrides(const CaseSetup& setup) const {
+  Overrides out;
+  if (choice_.quick) out = setup.quick_set;
+  out.insert(out.end(), choice_.set.begin(), choice_.set.end());
+  return out;
+}
+
 Search CaseReader::read_search(const Node& node) const {
   const CaseFields f(node, "a search", {"key", "value", "from", "to", "step", "quantity", "bound"});
   Search out;

@@ -18,6 +18,7 @@ namespace couloir {
 struct CaseChoice {
   bool quick = false;
   std::vector<std::string> variants;  // empty: all
+  Overrides set;                      // of every case, after all that its file sets
 };
 
 // What cases and tables have in common.
@@ -36,6 +37,7 @@ class CaseReader {
   const std::string& file() const { return file_; }
   const std::string& folder() const { return folder_; }  // of the file
   bool quick() const { return choice_.quick; }
+  const Overrides& command_line() const { return choice_.set; }
 
   // The file's keys `scene` and `variants`.
   void read_top(const CaseFields&);
@@ -44,6 +46,8 @@ class CaseReader {
   bool wanted(const CaseSetup&, const std::string& variant) const;
 
   CaseSetup setup(const CaseFields&) const;
+  // What is set last: with --quick the setup's own for it, then the command line's.
+  Overrides last_overrides(const CaseSetup&) const;
   Overrides overrides(const Node&, const std::string& name) const;
   // A list of variants' names; all where the key is missing.
   std::vector<std::string> variant_list(const CaseFields&, const std::string& key) const;

@@ -103,8 +103,7 @@ class Reader : CaseReader {
       c.place = place;
       c.search = s.search;
       c.skipped = quick() && s.quick == "skip";
-      for (const Overrides* part : {&set, &s.set, &row}) c.set.insert(c.set.end(), part->begin(), part->end());
-      if (quick()) c.set.insert(c.set.end(), s.quick_set.begin(), s.quick_set.end());
+      for (const Overrides& part : {set, s.set, row, last_overrides(s)}) c.set.insert(c.set.end(), part.begin(), part.end());
       expect(c);
       for (const Expectation& e : c.expect) {
         if (e.quantity == "critical" && !c.search) throw SceneError(e.place + ": quantity critical needs a search in its case");

@@ -177,6 +177,9 @@ void warn(Plan& plan, const Scene& scene) {
   for (const std::string& assumed : inflow_assumptions(scene)) say(assumed);
   if (plan.memory > machine_memory())
     say(fmt::format("This machine has {:.3g} GB: the run would be refused.", machine_memory() * 1e-9));
+  if (scene.mode == Mode::continuum && scene.grains.replicates > 1)
+    say(fmt::format("grains.replicates is {}, but nothing in mode continuum is random: there is one run.",
+                    scene.grains.replicates));
   if (scene.mode == Mode::continuum) return;
   const double d = scene.grains.diameter, tan_delta = std::tan(scene.material.delta), mu = scene.material.grain.base_friction;
   if (scene.mode == Mode::coupled && std::abs(mu - tan_delta) > 0.02) {

@@ -139,6 +139,8 @@ class Reader : CaseReader {
       };
       for (const auto& [key, value] : s.quick_set)
         if (under(key, c.key) || under(c.key, key)) refuse("quick sets " + key + "; write a table of its own with quick: only");
+      for (const auto& [key, value] : command_line())
+        if (under(key, c.key) || under(c.key, key)) refuse("--set gives " + key + "; choose another key, or another study");
       if (s.search && under(c.key, s.search->key)) refuse("the search looks for it; keep one of them");
       if (c.key == "mode" && !shared.modes.empty()) refuse("there are modes; keep one of them");
       if (c.key == "grains.seed" && shared.replicates.node) refuse("there are replicates; keep one of them");
@@ -172,8 +174,8 @@ class Reader : CaseReader {
           row.scene = s.scene, row.search = s.search, row.place = c.place;
           row.parameters = c.parameters;
           if (!mode.empty()) row.set.emplace_back("mode", mode);
-          for (const Overrides* part : {&set, &s.set, &c.set}) row.set.insert(row.set.end(), part->begin(), part->end());
-          if (quick()) row.set.insert(row.set.end(), s.quick_set.begin(), s.quick_set.end());
+          for (const Overrides& part : {set, s.set, c.set, last_overrides(s)})
+            row.set.insert(row.set.end(), part.begin(), part.end());
           add_group(std::move(row), c, quantities, shared.replicates);
         }
       }

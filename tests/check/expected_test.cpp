@@ -104,6 +104,19 @@ cases:
   EXPECT_THAT(quick.cases[1].set, ElementsAre(Pair("duration", "1 s")));
 }
 
+TEST(Expected, TheCommandLineHasTheLastWord) {
+  const std::string text = R"(
+cases:
+  - name: slab
+    set: {grains.engine: liggghts}
+    quick: {duration: 1 s}
+    expect: [{quantity: time.wall, value: 1 s, tolerance: none, evidence: exact, source: s}]
+)";
+  const Expected e = read(text, {true, {}, {{"grains.engine", "yade"}}});
+  ASSERT_EQ(e.cases.size(), 1u);
+  EXPECT_THAT(e.cases[0].set, ElementsAre(Pair("grains.engine", "liggghts"), Pair("duration", "1 s"), Pair("grains.engine", "yade")));
+}
+
 TEST(Expected, NamesPlaceAndNearestKey) {
   std::string text = one_case;
   text.replace(text.find("tolerance"), 9, "tolerence");

@@ -44,6 +44,9 @@ TEST(Plan, SaysWhereFrictionsAreNotThoseOfTheirCalibration) {
               Contains(HasSubstr("of the record vestolen-liggghts-4mm, these grains would be vestolen-yade-6mm-blocked")));
   EXPECT_THAT(warnings({{"grains.tangential_damping", "off"}}),
               Contains(HasSubstr("these grains would be vestolen-liggghts-4mm-hertz-undamped")));
+  const auto once = HasSubstr("grains.replicates is 3, but nothing in mode continuum is random");
+  EXPECT_THAT(warnings({{"mode", "continuum"}, {"grains.replicates", "3"}}), Contains(once));
+  EXPECT_THAT(warnings({{"grains.replicates", "3"}}), Not(Contains(once)));
   EXPECT_THAT(warnings({{"mode", "continuum"}, {"grains.diameter", "6 mm"}}), Not(Contains(HasSubstr("of the record"))));
 }
 

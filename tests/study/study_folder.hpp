@@ -15,9 +15,9 @@ inline Study read_slab_study(const std::string& text, const CaseChoice& choice =
 }
 
 // What the user is told; empty: it is read.
-inline std::string study_error(const std::string& text) {
+inline std::string study_error(const std::string& text, const CaseChoice& choice = {}) {
   try {
-    read_slab_study(text);
+    read_slab_study(text, choice);
   } catch (const SceneError& error) {
     return error.what();
   }
