@@ -56,6 +56,7 @@ def picture(series, out):
     for engine, look in LOOKS.items():
         if (rows := series.get(("undamped: speed lost", engine, "kelvin_voigt"))) is not None:
             axes[1, 0].plot(rows[:, 0], rows[:, 1], ls="none", label=f"{engine}, undamped", **{**look, "color": "tab:green"})
+            axes[1, 0].plot(rows[:, 0], rows[:, 2], color="black", lw=1, zorder=0)
     rows = series["sliding: linear law alone", "liggghts", "kelvin_voigt"]
     axes[1, 0].plot(rows[:, 0], rows[:, 2], "k--", lw=1, label="the law with its shear damper")
     panel(axes[1, 1], series, "silo: rate [kg/s/m]", "hertz", "silo's slot; theory: C = 1.03, k = 1.4", "slot over diameter",

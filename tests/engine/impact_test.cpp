@@ -242,7 +242,7 @@ TEST_P(Impact, NeverAddsEnergy) {
     }
     note(lossless ? "energy kept where lossless"
          : damped ? "energy: largest rise"
-                  : "undamped: energy, largest rise",
+                  : "undamped: energy: largest rise",
          setup.restitution, lossless ? last / first : worst, lossless ? 1 : 0);
     if (lossless) {
       EXPECT_NEAR(last / first, 1, 0.01);
