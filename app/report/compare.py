@@ -24,8 +24,7 @@ def forces(runs, labels, path):
             colour = style.SERIES[k % len(style.SERIES)]
             a.plot(f["time"], f["fx"], color=colour, linewidth=0.6, alpha=0.3)
             a.plot(f["time"], mean, color=colour, linestyle=style.DASHES[k % len(style.DASHES)], linewidth=2, label=label)
-            top = int(np.argmax(np.abs(mean)))
-            a.plot(f["time"][top], mean[top], "o", color=colour, markersize=6)
+            a.plot(*run.peak(name), "o", color=colour, markersize=6)
         a.axhline(0, color=style.GREY, linewidth=0.8)
         a.set_title(f"Force on {name}, along the slope: means of 15 ms, peaks marked, window means faint")
         a.set_ylabel("force [N]")

@@ -242,13 +242,13 @@ def forces(run, path):
             a.plot(f["time"], middle, color=style.ORANGE, linewidth=1.6, zorder=3)
         label = "mean of 15 ms" + (", first packing" if run.packings else "")
         a.plot(f["time"], mean, color=style.BLUE, linewidth=2.2, label=label, zorder=4)
-        k = int(np.argmax(np.abs(mean)))
-        early = f["time"][k] < 0.5 * f["time"][-1]
-        if mean[k] != 0:
-            a.plot(f["time"][k], mean[k], "o", color=style.RED, markersize=7, zorder=5)
-            above = 1.1 * np.max(f["fx"]) if mean[k] > 0 else 1.1 * np.min(f["fx"])  # clear of both curves
-            a.annotate(f" peak {mean[k]:.3g} N at {f['time'][k]:.3f} s ", (f["time"][k], mean[k]), xytext=(f["time"][k], above),
-                       ha="left" if early else "right", va="center", color=style.RED, fontweight="bold",
+        at, peak = run.peak(name)
+        early = at < 0.5 * f["time"][-1]
+        if peak != 0:
+            a.plot(at, peak, "o", color=style.RED, markersize=7, zorder=5)
+            above = 1.1 * np.max(f["fx"]) if peak > 0 else 1.1 * np.min(f["fx"])  # clear of both curves
+            a.annotate(f" peak {peak:.3g} N at {at:.3f} s ", (at, peak), xytext=(at, above), ha="left" if early else "right",
+                       va="center", color=style.RED, fontweight="bold",
                        arrowprops={"arrowstyle": "-", "color": style.RED, "linewidth": 0.8})
         a.axhline(0, color=style.GREY, linewidth=0.8)
         a.set_title(f"Force on {name}, along the slope")

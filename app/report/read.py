@@ -136,6 +136,10 @@ class Run:
             value = value[key]
         return value
 
+    def peak(self, name):
+        """Time [s] and value [N] of the largest 15 ms mean of an obstacle's force, anywhere in the run (summary.json)."""
+        return (self.figure(("obstacles", name, key)) or 0.0 for key in ("force_peak_time", "force_peak"))
+
     def surface_coordinates(self, points):
         """Level-frame points [N, 3] -> arc length s and height n [m]: the foot point by Newton's method on the centre line."""
         surface = self.file["surface"]
