@@ -24,7 +24,7 @@ double highest(const Scene& s) {
 // [m] along the normal, anywhere down to `x`: falling from the upper edge with the release's own height can throw a grain this
 // high, and no higher.
 double throw_height(const Scene& s, const ReferenceSurface& surface, double x) {
-  const double start = s.release.velocity * s.release.velocity / (2 * s.gravity);
+  const double start = s.release.speed() * s.release.speed() / (2 * s.gravity);
   const auto level = [&](double at, double n) { return surface.to_level(surface.to_space({at, 0, n})).z(); };
   double height = 0;
   const int pieces = 64;

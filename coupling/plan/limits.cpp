@@ -69,7 +69,7 @@ double fastest(const Scene& scene) {
   double most = 0;
   for (const FlowEstimate& f : flow_estimate(scene))
     most = std::max(most, std::abs(f.velocity) + std::sqrt(scene.gravity * f.depth));
-  if (scene.release.velocity != 0) most = std::max(most, speed(scene.release.velocity, deepest(scene)));
+  if (scene.release.speed() != 0) most = std::max(most, speed(scene.release.speed(), deepest(scene)));
   for (const SideSpec& side : scene.sides) {
     const GreatestInflow inflow = greatest_inflow(scene, side);
     if (inflow.depth > 0) most = std::max(most, speed(inflow.velocity, inflow.depth));

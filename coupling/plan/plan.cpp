@@ -43,7 +43,8 @@ double least_step(const Scene& scene, const Grid& grid) {
   double fastest = 0;
   for (const FlowEstimate& f : flow_estimate(scene)) {
     if (f.time > scene.duration) break;
-    fastest = std::max(fastest, std::abs(f.velocity) + std::sqrt(most_k * scene.gravity * f.depth));
+    fastest =
+        std::max(fastest, std::hypot(f.velocity, scene.release.velocity_across) + std::sqrt(most_k * scene.gravity * f.depth));
   }
   const double half_steps = scene.continuum.scheme == "noc" ? 2 : 1;  // a step of noc is a pair, each bound by the CFL number
   return half_steps * scene.continuum.cfl * std::min(grid.dx, grid.dy) / fastest;
@@ -169,6 +170,20 @@ void warn_of_zone(const Scene& scene, const PlannedZone& zone, const auto& say) 
   }
 }
 
+// Grains where they are not called for, and none where there is an obstacle.
+void warn_of_places(const Plan& plan, const Scene& scene, const auto& say) {
+  bool fails = false;
+  for (const ShallowVerdict& v : plan.shallow) fails = fails || (v.obstacle && !v.holds());
+  if (!scene.grains.zone && !fails)
+    say("The shallow model holds at every obstacle: mode continuum would do. The zones are around all of them.");
+  for (const ObstacleSpec& o : scene.obstacles) {
+    if (any_holds(plan.zones, o)) continue;
+    const bool holds = shallow_verdict(scene, o).holds();
+    say(fmt::format("{} lies outside the zone: the continuum flows around it{}.", o.name,
+                    holds ? ", as the shallow model holds there" : ""));
+  }
+}
+
 void warn(Plan& plan, const Scene& scene) {
   const auto say = [&](std::string text) { plan.warnings.push_back(std::move(text)); };
   warn_of_absence(plan, scene, say);
@@ -208,9 +223,7 @@ void warn(Plan& plan, const Scene& scene) {
   }
   const auto grains = plan.grains[static_cast<std::size_t>(scene.mode)];
   if (grains > 200000) say(fmt::format("About {} grains at once will be slow; larger grains or a smaller zone help.", grains));
-  for (const ObstacleSpec& o : scene.obstacles)
-    if (scene.mode == Mode::coupled && !any_holds(plan.zones, o))
-      say(fmt::format("{} lies outside the zone: the continuum flows around it.", o.name));
+  if (scene.mode == Mode::coupled) warn_of_places(plan, scene, say);
   for (const PlannedZone& zone : plan.zones) warn_of_zone(scene, zone, say);
 }
 
@@ -246,6 +259,7 @@ Plan make_plan(const Scene& scene) {
                           (plan.scheme == "noc" ? noc_updates_per_second : cell_updates_per_second);
   }
 
+  plan.shallow = shallow_verdicts(scene);
   if (scene.mode == Mode::coupled) plan.zones = planned_zones(scene);
   const bool zone_known = scene.continuum.cell > 0 && (scene.grains.zone || !scene.obstacles.empty());
   if (scene.grains.diameter > 0) {

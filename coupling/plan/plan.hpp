@@ -12,6 +12,7 @@
 #include "coupling/plan/effect.hpp"
 #include "coupling/plan/flow_estimate.hpp"
 #include "coupling/plan/refined_mesh.hpp"
+#include "coupling/plan/validity.hpp"
 #include "coupling/plan/zone.hpp"
 #include "coupling/scene/scene.hpp"
 
@@ -32,6 +33,7 @@ struct Plan {
   double dt = 0;                                // [s] least continuum step expected
   std::int64_t steps = 0;                       // at that step
   FlowEstimate at_obstacle;                     // flow expected at the first obstacle; without one at the terrain's end
+  std::vector<ShallowVerdict> shallow;          // where the shallow model holds, all modes
   std::vector<PlannedZone> zones;               // mode coupled
   std::array<std::int64_t, 3> grains{};         // greatest number expected at once, by Mode; 0 where the scene has no diameter
   double engine_dt = 0;                         // [s] 0: no engine

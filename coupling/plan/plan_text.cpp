@@ -66,6 +66,8 @@ std::string plan_text(const Plan& plan) {
     out += fmt::format("scheme     {}, limiter {}; instructions {}\n", plan.scheme, plan.limiter, plan.instruction_set);
     out += fmt::format("steps      about {} of {:.2g} ms\n", plan.steps, plan.dt * 1e3);
   }
+  for (const ShallowVerdict& v : plan.shallow)
+    out += fmt::format("{:<10} {}\n", &v == &plan.shallow.front() ? "shallow" : "", v.sentence());
   for (const PlannedZone& zone : plan.zones) {
     const ZoneBox& z = zone.box;
     out += fmt::format("zone       x {} to {}, y {} to {} ({} x {} cells)\n", len(z.x0), len(z.x1), len(z.y0), len(z.y1),
@@ -106,6 +108,12 @@ nlohmann::json plan_json(const Plan& plan) {
   json["continuum"]["levels"] = nlohmann::json::array();
   for (const LevelCells& l : plan.levels) {
     json["continuum"]["levels"].push_back({{"level", l.level}, {"cell", l.cell}, {"blocks", l.blocks}, {"cells", l.cells}});
+  }
+  json["shallow"] = nlohmann::json::array();
+  for (const ShallowVerdict& v : plan.shallow) {
+    json["shallow"].push_back({{"place", v.place}, {"obstacle", v.obstacle}, {"holds", v.holds()}, {"sentence", v.sentence()}});
+    for (const ShallowTest& t : v.tests)
+      json["shallow"].back()["tests"].push_back({{"name", t.name}, {"value", t.value}, {"limit", t.limit}, {"holds", t.holds}});
   }
   json["zones"] = nlohmann::json::array();
   for (const PlannedZone& zone : plan.zones) {

@@ -6,7 +6,7 @@ namespace couloir {
 
 FlowState release_at(const Scene& scene, double x, double y) {
   const double h = depth_scale(scene) * shape_depth(scene, x, y);
-  return {h, h * scene.release.velocity, 0};
+  return {h, h * scene.release.velocity, h * scene.release.velocity_across};
 }
 
 double release_volume(const Scene& scene) {

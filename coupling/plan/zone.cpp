@@ -7,6 +7,7 @@
 
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/flow_estimate.hpp"
+#include "coupling/plan/validity.hpp"
 #include "coupling/scene/release_shape.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "coupling/scene/units.hpp"
@@ -88,6 +89,14 @@ bool too_near(const ZoneBox& a, const ZoneBox& b, double d) {
   return a.x0 - gap < b.x1 && b.x0 < a.x1 + gap && a.y0 - gap < b.y1 && b.y0 < a.y1 + gap;
 }
 
+// Those at which the shallow model fails; where it holds everywhere, all.
+std::vector<ObstacleSpec> obstacles_for_grains(const Scene& scene) {
+  std::vector<ObstacleSpec> out;
+  for (const ObstacleSpec& o : scene.obstacles)
+    if (!shallow_verdict(scene, o).holds()) out.push_back(o);
+  return out.empty() ? scene.obstacles : out;
+}
+
 // Obstacles whose zones would be too near to each other share one.
 std::vector<PlannedZone> automatic(const Scene& scene) {
   if (scene.obstacles.empty()) {
@@ -96,7 +105,7 @@ std::vector<PlannedZone> automatic(const Scene& scene) {
   }
   std::vector<std::vector<ObstacleSpec>> groups;
   std::vector<PlannedZone> zones;
-  for (const ObstacleSpec& o : scene.obstacles) {
+  for (const ObstacleSpec& o : obstacles_for_grains(scene)) {
     groups.push_back({o});
     zones.push_back(around(scene, groups.back()));
   }

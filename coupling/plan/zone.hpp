@@ -24,9 +24,10 @@ struct PlannedZone {
 //         |                  |##|            |     beside = max(0.3 H, 8 d, 4 h)
 //         x0             obstacle            x1    behind = max(0.25 H, 5 d)
 //
-// H obstacle height, d grain diameter, h and Fr of the flow that is expected there (flow_estimate.hpp). It does not reach into a
-// finite release while that leaves 10 d. A side closer to the domain's than 6 d moves onto it. Obstacles whose zones would be
-// nearer than 40 d share one. Throws SceneError where there is neither a box nor an obstacle.
+// around those obstacles at which the shallow model fails (validity.hpp), or around all where it fails at none. H obstacle height, d
+// grain diameter, h and Fr of the flow that is expected there (flow_estimate.hpp). It does not reach into a finite release while
+// that leaves 10 d. A side closer to the domain's than 6 d moves onto it. Obstacles whose zones would be nearer than 40 d share
+// one. Throws SceneError where there is neither a box nor an obstacle.
 std::vector<PlannedZone> planned_zones(const Scene&);
 
 // Whether some zone holds the whole obstacle; whether all leave it out.

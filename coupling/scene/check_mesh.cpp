@@ -39,6 +39,10 @@ struct Checker {
       fail("continuum.cell", "is {}, too large for a domain of {} by {}: it needs 4 cells along the slope and 1 across",
            len(cell), len(length), len(width));
     }
+    if (scene.release.velocity_across != 0 && across > 0.75 * width)
+      fail("release.velocity_across",
+           "is {:.3g} m/s in a domain of one row of cells, which flows along the slope only; leave it out, or use smaller cells",
+           scene.release.velocity_across);
     const double cells = length / cell * width / across;
     if (cells > most_cells) {
       fail("continuum.cell", "is {}, which makes {:.3g} million cells, more than the {:.3g} million allowed; use at least {}",

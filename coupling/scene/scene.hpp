@@ -2,6 +2,7 @@
 // A run as plain data: SI units, radians, complete (every default filled in). Made by the reader, used by everybody.
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,8 +54,9 @@ struct ReleaseSpec {
   double base_radius = 0, height = 0;         // [m] cap: spherical; block, uniform: height is the depth
   double semi_x = 0, semi_y = 0, semi_z = 0;  // [m] ellipsoid
   double length = 0, width = 0;               // [m] block
-  double velocity = 0;                        // [m/s] downslope, at the start
+  double velocity = 0, velocity_across = 0;   // [m/s] downslope and towards the right (y high), at the start
   double mass = 0;                            // [kg] 0: what the geometry holds; else the depth is scaled to hold it
+  double speed() const { return std::hypot(velocity, velocity_across); }  // [m/s]
 };
 
 struct ObstacleSpec {

@@ -109,6 +109,8 @@ void add_release(Keys& k) {
             .required()
             .when("kind", {"cap", "block", "uniform"}));
   k.add(number("release.velocity", velocity, "downslope, at the start", COULOIR_AT(release.velocity)).within(-1000, 1000));
+  k.add(number("release.velocity_across", velocity, "towards the right, at the start", COULOIR_AT(release.velocity_across))
+            .within(-1000, 1000));
   k.add(number("release.mass", mass, "the depth is scaled to hold it; missing: what the geometry holds", COULOIR_AT(release.mass))
             .above(0)
             .optional()

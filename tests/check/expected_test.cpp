@@ -114,7 +114,8 @@ cases:
 )";
   const Expected e = read(text, {true, {}, {{"grains.engine", "yade"}}});
   ASSERT_EQ(e.cases.size(), 1u);
-  EXPECT_THAT(e.cases[0].set, ElementsAre(Pair("grains.engine", "liggghts"), Pair("duration", "1 s"), Pair("grains.engine", "yade")));
+  EXPECT_THAT(e.cases[0].set,
+              ElementsAre(Pair("grains.engine", "liggghts"), Pair("duration", "1 s"), Pair("grains.engine", "yade")));
 }
 
 TEST(Expected, NamesPlaceAndNearestKey) {

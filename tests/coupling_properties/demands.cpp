@@ -38,7 +38,7 @@ void Demands::on_start(const RunStart& start) {
   const Footprint f = release_footprint(*scene_);
   const double height = deepest(*scene_);
   top_ = std::max(level(f.x0, height), level(f.x0, 0));
-  start_ = std::abs(scene_->release.velocity);
+  start_ = scene_->release.speed();
   double depth = height;
   for (const SideSpec& side : scene_->sides) {
     if (side.kind != SideSpec::Kind::inflow || side.hydrograph.front().time > scene_->duration) continue;

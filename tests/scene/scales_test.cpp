@@ -67,7 +67,7 @@ TEST_F(SceneScales, EveryBareQuantityIsScaled) {
   compare({});
   compare({{"terrain", "{kind: incline, angle: 35 deg, length: 3, width: 0.8}"}});
   compare({{"release", "{kind: ellipsoid, centre: [0.4, 0.02], semi_axes: [0.3, 0.2, 0.1], mass: 0.01}"}, {"mode", "continuum"}});
-  compare({{"release", "{kind: block, position: [0.1, 0.01], length: 0.3, width: 0.2, height: 0.1}"}});
+  compare({{"release", "{kind: block, position: [0.1, 0.01], length: 0.3, width: 0.2, height: 0.1, velocity_across: 0.5}"}});
   compare({{"continuum.refine", "[{x: [0.5, 0.75], y: [-0.1, 0.2]}]"}});
   compare({{"obstacles.wall.gauges", "{m: {centre: [0.01, 0.03], radius: 0.02}}"}});
   compare({{"obstacles.wall.method", "elevation"}, {"obstacles.wall.ramp", "0.02"}});

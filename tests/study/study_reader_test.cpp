@@ -177,7 +177,8 @@ TEST(StudyReader, RefusesWhatCannotBeMeant) {
   EXPECT_THAT(table("    modes: [continuum]\n    columns: [{set: mode, values: [continuum]}]\n"), HasSubstr("there are modes"));
   EXPECT_THAT(table("    columns: [{set: continuum.cell, values: [1e-9 m]}]\n"), HasSubstr("study.yaml:3: t, 1e-9 m: "));
   EXPECT_THAT(study_error("title: nothing\n"), HasSubstr("study.yaml:1: there is nothing to run; give tables"));
-  const std::string slopes = "quantities: [mass.initial]\ntables:\n  - name: t\n    columns: [{set: terrain.angle, values: [30 deg]}]\n";
+  const std::string slopes =
+      "quantities: [mass.initial]\ntables:\n  - name: t\n    columns: [{set: terrain.angle, values: [30 deg]}]\n";
   EXPECT_THAT(study_error(slopes, {false, {}, {{"terrain.angle", "40 deg"}}}),
               HasSubstr("terrain.angle is a column of this table, but --set gives terrain.angle"));
 }

@@ -1,0 +1,46 @@
+#pragma once
+// Whether the shallow model holds where the flow meets an obstacle, and on the arc: what it leaves out, as plain numbers with a
+// limit each, before anything is computed. `couloir plan` shows them; `grains.zone: auto` follows them (zone.hpp).
+//
+// The model of Savage and Hutter (1989) takes depths as small against all lengths along the bed and accelerations along the
+// normal as small against gravity. A flow of depth h, velocity u and Fr = u / sqrt(g cos(zeta) h) that must turn by an angle
+// theta over a length l does so along a path of curvature kappa = theta / (l + h), since no grain path turns within less than the
+// depth:
+//
+//   slope         theta                              45 deg: beyond, the solver itself turns the flow back as by a wall
+//   curvature     kappa h                            0.3: depths are measured along normals, which converge within 1 / kappa
+//   acceleration  Fr^2 kappa h                       0.5 of g cos(zeta): the model's pressure is hydrostatic; on the arc, whose
+//                                                    curvature it has, this is no test
+//   jump          (sqrt(1 + 8 Fr^2) - 1) / 2         2: depth behind a jump over that before it (Belanger); no higher than the
+//                                                       obstacle lets it be
+//   grains        h / d                              at least 5 grains deep, where the grains' diameter is known
+
+#include <string>
+#include <vector>
+
+#include "coupling/scene/scene.hpp"
+
+namespace couloir {
+
+struct ShallowTest {
+  std::string name;  // "slope of its front"
+  std::string text;  // "90 deg, limit 45 deg"
+  double value = 0, limit = 0;
+  bool holds = true;
+};
+
+struct ShallowVerdict {
+  std::string place;  // an obstacle's name, or "arc"
+  bool obstacle = false;
+  std::vector<ShallowTest> tests;
+  bool holds() const;
+  // "fails at wall: slope of its front 90 deg, limit 45 deg; ... (what it keeps to)" or "holds at mound: ...".
+  std::string sentence() const;
+};
+
+// For each obstacle in the scene's order, then for the arc where the terrain has one that the flow reaches. Only the first four
+// tests decide: too few grains for a continuum is told, but no reason for a zone of its own.
+std::vector<ShallowVerdict> shallow_verdicts(const Scene&);
+ShallowVerdict shallow_verdict(const Scene&, const ObstacleSpec&);
+
+}  // namespace couloir

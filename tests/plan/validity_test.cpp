@@ -1,0 +1,80 @@
+#include "coupling/plan/validity.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "coupling/plan/plan.hpp"
+#include "coupling/scene/reader.hpp"
+
+namespace couloir {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+Scene wall_scene(Overrides more = {}) {
+  return read_scene(COULOIR_SOURCE_DIR "/experiments/chiou_wall", COULOIR_SOURCE_DIR "/dem_inputs/materials", more);
+}
+
+// On the run-out, 5 mm high, rising within 250 mm: 1.1 deg.
+const Overrides mound{
+    {"grains.diameter", "2 mm"},
+    {"obstacles.mound", "{position: [1.15 m, 0], size: [600 mm, 600 mm, 5 mm], method: elevation, ramp: 250 mm}"}};
+
+TEST(ShallowModel, FailsAtAWallByEachNumber) {
+  const Scene scene = wall_scene();
+  const ShallowVerdict v = shallow_verdict(scene, scene.obstacles[0]);
+  const FlowEstimate flow = flow_estimate_at(scene, 0.65);
+  EXPECT_FALSE(v.holds());
+  ASSERT_EQ(v.tests.size(), 5u);
+  EXPECT_NEAR(v.tests[0].value, 1.5707963, 1e-6);
+  EXPECT_NEAR(v.tests[1].value, 1.5707963, 1e-6) << "turned by a right angle within a depth";
+  EXPECT_NEAR(v.tests[2].value, v.tests[1].value * flow.froude * flow.froude, 1e-6);
+  // Mass and momentum across a jump: h1 u1 = h2 u2 as seen from it, h1 u1^2 + g h1^2 / 2 = h2 u2^2 + g h2^2 / 2.
+  const double r = v.tests[3].value, fr2 = flow.froude * flow.froude;
+  EXPECT_NEAR(fr2 + 0.5, fr2 / r + 0.5 * r * r, 1e-9 * fr2);
+  EXPECT_NEAR(v.tests[4].value, flow.depth / 0.004, 1e-12);
+  EXPECT_THAT(v.sentence(),
+              StartsWith("fails at wall: slope of its front 90 deg, limit 45 deg; curvature times depth 1.6, limit 0.3; "));
+}
+
+TEST(ShallowModel, HoldsAtAMoundAndOnTheArc) {
+  const auto verdicts = shallow_verdicts(wall_scene(mound));
+  ASSERT_EQ(verdicts.size(), 3u);
+  const ShallowVerdict& low = verdicts[0].place == "mound" ? verdicts[0] : verdicts[1];
+  EXPECT_TRUE(low.holds()) << low.sentence();
+  EXPECT_THAT(low.sentence(), HasSubstr("; but depth over diameter ")) << "told, and no reason for grains";
+  EXPECT_EQ(verdicts[2].place, "arc");
+  EXPECT_TRUE(verdicts[2].holds()) << verdicts[2].sentence();
+  EXPECT_NEAR(verdicts[2].tests[0].value, 40 * 3.14159265 / 180 / 0.1465 * flow_estimate_at(wall_scene(), 0.9335).depth, 1e-6);
+}
+
+TEST(ShallowModel, AJumpIsNoHigherThanItsObstacleLetsItBe) {
+  const Scene scene = wall_scene({{"grains.diameter", "2 mm"}, {"obstacles.wall.size", "[10 mm, 160 mm, 5 mm]"}});
+  const ShallowVerdict v = shallow_verdict(scene, scene.obstacles[0]);
+  EXPECT_NEAR(v.tests[3].value, 1 + 0.005 / flow_estimate_at(scene, 0.65).depth, 1e-12);
+}
+
+TEST(ShallowModel, TellsWhereGrainsAreCalledFor) {
+  const Plan both = make_plan(wall_scene(mound));
+  ASSERT_EQ(both.zones.size(), 1u);
+  EXPECT_THAT(both.zones[0].reason, HasSubstr("wall is"));
+  EXPECT_THAT(both.zones[0].reason, Not(HasSubstr("mound is")));
+  EXPECT_THAT(
+      both.warnings,
+      Contains(HasSubstr("mound lies outside the zone: the continuum flows around it, as the shallow model holds there.")));
+  EXPECT_THAT(plan_text(both), HasSubstr("shallow    "));
+  EXPECT_THAT(plan_text(both), HasSubstr("fails at wall: "));
+  EXPECT_EQ(plan_json(both)["shallow"].size(), 3u);
+
+  Overrides alone = mound;
+  alone.emplace_back("obstacles.wall", "{position: [450 mm, 0], size: [300 mm, 400 mm, 4 mm], method: elevation, ramp: 150 mm}");
+  const Plan none = make_plan(wall_scene(alone));
+  EXPECT_THAT(none.warnings, Contains(HasSubstr("The shallow model holds at every obstacle: mode continuum would do.")));
+  EXPECT_FALSE(none.zones.empty());
+}
+
+}  // namespace
+}  // namespace couloir
