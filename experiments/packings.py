@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Both grain engines on the same scenes, as docs/results/grains.md has them: a table and a picture of the force in time.
+"""Engines and modes on the same scenes, several packings each: a table and a picture of the force in time, as docs/results/grains.md
+and docs/results/coupling.md have them.
 
-    engines.py RUN... --out PICTURE      runs of one or more scenes with both engines and several packings (grains.seed)
+    packings.py RUN... --out PICTURE      runs of one or more scenes, by both engines, coupled or as grains, with several grains.seed
 
-Runs are grouped by their scene (title) and engine; figures are mean and standard deviation over the packings.
+Runs are grouped by their scene (title), engine and mode; figures are mean and standard deviation over the packings.
 """
 import argparse
 import pathlib
@@ -15,7 +16,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "app" / 
 import style  # noqa: E402
 from read import Run, running_mean  # noqa: E402
 
-ENGINES = {"LIGGGHTS": style.BLUE, "YADE": style.RED}
+COLOURS = {("LIGGGHTS", "grains"): style.BLUE, ("YADE", "grains"): style.RED, ("LIGGGHTS", "coupled"): style.ORANGE,
+           ("YADE", "coupled"): style.GREEN, ("", "continuum"): style.GREY}
 
 
 def far(run, share=0.99):
@@ -35,21 +37,30 @@ def figures(run):
         "force at the end [N]": wall["force_final"],
         "first contact [s]": wall["first_contact"],
         "overtopped [g]": 1e3 * run.summary["mass"]["overtopped"],
-        "run-out of 99 % [m]": far(run),
+        "run-out of 99 % [m]": far(run) if run.summary["mode"] == "grains" else np.nan,
         "largest overlap [d]": grains["max_overlap"],
+        "largest momentum residual": run.summary["momentum"]["relative_residual"],
         "processor time [s]": time["cpu"],
-        "million particle-steps a second of it": 1e-6 * grains["particle_steps"] / time["cpu_engine"],
+        "million particle-steps a second of it": 1e-6 * grains["particle_steps"] / time["cpu_engine"] if time["cpu_engine"] else 0.0,
     }
 
 
 def shown(values):
+    if np.isnan(values).all():
+        return "-"
     spread = f" ± {values.std(ddof=1):.2g}" if len(values) > 1 else ""
     return f"{values.mean():.4g}{spread}"
 
 
+def label(kind):
+    engine, mode = kind
+    return mode if mode == "continuum" else engine if mode == "grains" else f"{engine}, {mode}"
+
+
 def table(scene, runs):
-    rows = {engine: [figures(run) for run in runs[scene, engine]] for engine in ENGINES if (scene, engine) in runs}
-    print(f"\n{scene}\n\n| | " + " | ".join(f"{engine}, {len(found)} packings" for engine, found in rows.items()) + " |")
+    rows = {kind: [figures(run) for run in runs[scene, kind]] for kind in COLOURS if (scene, kind) in runs}
+    heads = [f"{label(kind)}, {len(found)} packing{'s' if len(found) > 1 else ''}" for kind, found in rows.items()]
+    print(f"\n{scene}\n\n| | " + " | ".join(heads) + " |")
     print("| --- " * (1 + len(rows)) + "|")
     for name in next(iter(rows.values()))[0]:
         print(f"| {name} | " + " | ".join(shown(np.array([row[name] for row in found])) for found in rows.values()) + " |")
@@ -63,8 +74,8 @@ def history(run):
 def picture(scenes, runs, path):
     figure, axes = style.plt.subplots(len(scenes), 1, figsize=(style.WIDTH, 3.4 * len(scenes)), squeeze=False, layout="constrained")
     for a, scene in zip(axes.flat, scenes):
-        for engine, colour in ENGINES.items():
-            found = [history(run) for run in runs.get((scene, engine), [])]
+        for kind, colour in COLOURS.items():
+            found = [history(run) for run in runs.get((scene, kind), [])]
             if not found:
                 continue
             times = found[0][0]
@@ -74,7 +85,7 @@ def picture(scenes, runs, path):
             if len(every) > 1:
                 middle, scatter = every.mean(axis=0), every.std(axis=0, ddof=1)
                 a.fill_between(times, middle - scatter, middle + scatter, color=colour, alpha=0.2, linewidth=0)
-            a.plot(times, every.mean(axis=0), color=colour, linewidth=2, label=f"{engine}: mean and scatter of {len(every)} packings")
+            a.plot(times, every.mean(axis=0), color=colour, linewidth=2, label=f"{label(kind)}: mean and scatter of {len(every)} packings")
         a.set_title(scene)
         a.set_ylabel("force along the slope [N]\nmeans of 15 ms")
         a.set_xlim(left=0)
@@ -92,7 +103,9 @@ def main():
     runs = {}
     for path in options.runs:
         run = Run(path)
-        runs.setdefault((run.title, run.summary["engine"].split()[0]), []).append(run)
+        mode = run.summary["mode"]
+        engine = "" if mode == "continuum" else run.summary["engine"].split()[0]
+        runs.setdefault((run.title, (engine, mode)), []).append(run)
     scenes = list(dict.fromkeys(scene for scene, _ in runs))
     for scene in scenes:
         table(scene, runs)
