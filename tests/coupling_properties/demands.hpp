@@ -42,8 +42,9 @@ class Demands : public Observer {
   Grid grid_;
   std::vector<double> bed_;
   double top_ = 0, start_ = 0;  // [m] highest level of material, [m/s] its fastest start
-  double collapse_ = 0;         // [m2/s2]
+  double collapse_ = 0;         // [m2/s2] (2 sqrt(g h))^2: the front of a flow that collapses from its depth h
   double softness_ = 0;         // [s2/m2] density over stiffness
+  double residual_ = 0, residual_time_ = 0, momentum_ = 0;  // [N s], [s]: the largest; [N s] the largest momentum
   bool finished_ = false;
   Worst worst_;
   std::vector<std::string> broken_;
