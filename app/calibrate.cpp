@@ -55,6 +55,8 @@ Subject subject_of(const CalibrateVerb& verb) {
   const bool by_scene = fs::exists(verb.material, error);
   if (by_scene) {
     s.scene = read_scene(verb.material, materials_folder());
+  } else if (verb.material.find('/') != std::string::npos || verb.material.ends_with(".yaml")) {
+    throw SceneError(verb.material + ": there is no such file or folder; give a scene, or a material's name");
   } else {
     s.scene.material = read_material(verb.material, materials_folder());
     s.scene.grains.diameter = s.scene.material.diameter > 0 ? s.scene.material.diameter : usual_diameter;
@@ -174,6 +176,7 @@ int calibrate_material(const CalibrateVerb& verb) {
     return 3;
   }
 
+  record.rotation = rotation_name(subject.scene.grains);
   const std::string text = write_calibration(record);
   std::string written = (folder / "calibration.yaml").string();
   write_lines(written, text);

@@ -38,6 +38,7 @@ int run_replicates(const RunFolder& folder, const Scene& scene, bool quiet) {
     runs[k] = {scene.grains.seed + static_cast<long>(k), "", "it was not run: the user stopped", {}};
   runs[0] = {scene.grains.seed, ".", "", summary};
   std::mutex screen;
+  int done = 1;
   const auto work = [&](std::size_t k) {
     PackingRun& run = runs[k + 1];
     const std::string seed = std::to_string(run.seed);
@@ -50,16 +51,17 @@ int run_replicates(const RunFolder& folder, const Scene& scene, bool quiet) {
     if (!run.failure.empty())
       fmt::print(stderr, "couloir: the packing of seed {} failed: {}\n", seed, run.failure);
     else if (!quiet)
-      fmt::print(stderr, "packing of seed {} done, one of {}\n", seed, count);
+      fmt::print(stderr, "packing of seed {} done, {} of {}\n", seed, ++done, count);
   };
   share_out(runs.size() - 1, jobs, work, told_to_stop);
 
   summary["replicates"] = over_packings(runs);
+  summary["replicates"]["asked"] = count;
   write_atomically(file, summary.dump(2) + "\n");
   const bool all = summary["replicates"]["failed"].empty();
   if (!all)
-    fmt::print(stderr, "couloir: {} of {} packings are done; mean and scatter are of those, in {}\n",
-               summary["replicates"]["count"].get<int>(), count, file);
+    fmt::print(stderr, "couloir: {} of {} packings are done; mean and scatter are of those, in {}; couloir resume {} goes on\n",
+               summary["replicates"]["count"].get<int>(), count, file, folder.path().string());
   return all ? 0 : 3;
 }
 
@@ -72,6 +74,7 @@ std::string replicates_text(const nlohmann::json& replicates) {
   };
   for (const auto& [name, o] : replicates.at("obstacles").items()) {
     if (!o.contains("force_peak") || !o.contains("impulse")) continue;
+    if (replicates.at("count").get<int>() < 2) continue;
     out += fmt::format("{}, {} packings: peak {}, impulse {}\n", name, replicates.at("count").get<int>(),
                        of(o.at("force_peak"), "N"), of(o.at("impulse"), "N s"));
   }

@@ -239,15 +239,15 @@ def forces(run, path):
             middle, scatter = every.mean(axis=0), every.std(axis=0, ddof=1)
             a.fill_between(f["time"], middle - scatter, middle + scatter, color=style.ORANGE, alpha=0.45, linewidth=0, zorder=3,
                            label=f"mean and scatter of {len(every)} packings")
-            a.plot(f["time"], middle, color=style.ORANGE, linewidth=1.6, zorder=3)
+            a.plot(f["time"], middle, color=style.ORANGE, linewidth=2.2, zorder=3)
         label = "mean of 15 ms" + (", first packing" if run.packings else "")
-        a.plot(f["time"], mean, color=style.BLUE, linewidth=2.2, label=label, zorder=4)
+        a.plot(f["time"], mean, color=style.BLUE, linewidth=1.2 if run.packings else 2.2, label=label, zorder=4)
         at, peak = run.peak(name)
         early = at < 0.5 * f["time"][-1]
         if peak != 0:
             a.plot(at, peak, "o", color=style.RED, markersize=7, zorder=5)
             above = 1.1 * np.max(f["fx"]) if peak > 0 else 1.1 * np.min(f["fx"])  # clear of both curves
-            a.annotate(f" peak {peak:.3g} N at {at:.3f} s ", (at, peak), xytext=(at, above), ha="left" if early else "right",
+            a.annotate(f" peak{' of the first packing' if run.packings else ''} {peak:.3g} N at {at:.3f} s ", (at, peak), xytext=(at, above), ha="left" if early else "right",
                        va="center", color=style.RED, fontweight="bold",
                        arrowprops={"arrowstyle": "-", "color": style.RED, "linewidth": 0.8})
         a.axhline(0, color=style.GREY, linewidth=0.8)

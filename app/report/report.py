@@ -8,6 +8,7 @@ Exit codes: 0 done, 2 a RUN is no run or the report cannot be written.
 """
 
 import argparse
+import html
 import sys
 from pathlib import Path
 
@@ -95,6 +96,10 @@ def verdict_of(run):
         peak, impulse = of["force_peak"], of["impulse"]
         text += (f"Over {len(run.packings)} packings: peak {number(peak['mean'], 3)} &plusmn; {number(peak['scatter'], 2)} N, "
                  f"impulse {number(impulse['mean'], 3)} &plusmn; {number(impulse['scatter'], 2)} N s. ")
+    failed = s.get("replicates", {}).get("failed", [])
+    if failed:
+        text += (f"<b>{len(failed)} of {len(failed) + s['replicates']['count']} packings are missing</b>: "
+                 + "; ".join(f"seed {f['seed']}, {html.escape(f['reason'])}" for f in failed) + ". ")
     return text + (f"In every window mass closes to {number(s['mass']['relative_error'], 2)} of the released, "
                    f"momentum to {number(s['momentum']['relative_residual'], 2)} of its largest.")
 
@@ -114,7 +119,9 @@ def report_one(run, out):
                   (run.figure("mass.overtopped"), "kg", "went over the obstacles"),
                   (run.figure("grains.peak_count") or None, "", "grains at most"), (run.figure("time.wall"), "s", "time waited")])
     body += section("Forces", picture(figures.forces(run, out / "forces.png"),
-                                      "Thin: mean of each coupling window. Thick: running mean of 15 ms, whose peak is quoted."))
+                                      "Thin: mean of each coupling window. Thick: running mean of 15 ms, whose peak is quoted"
+                                      + ("; with its scatter, that of all packings. The peak is the first one's."
+                                         if run.packings else ".")))
     body += section("One force by two measures", picture(control_volume.picture(run, out / "control_volume.png"),
                                                          "What the obstacles feel, and what the material loses to them: gravity "
                                                          "less bed, sides and storage."))

@@ -115,7 +115,10 @@ Grains settle(const PackingSpec& s, GrainEngine& engine, const std::vector<NewGr
     if (time > fall && rms < still) break;
     if (time > longest) {
       throw EngineError(
-          fmt::format("a packing did not come to rest within {:.3g} s: the grains still move at {:.2g} m/s", longest, rms));
+          fmt::format("a packing did not come to rest within {:.3g} s: the grains still move at {:.2g} m/s; they need a way to "
+                      "lose energy: lower "
+                      "the restitution ({:g}), raise the friction ({:g}), or keep the rolling friction at 1 or below ({:g})",
+                      longest, rms, setup.restitution, setup.friction, setup.rolling_friction));
     }
     // Grains fall for about `fall`, then calm down by orders of magnitude.
     const double calm = time > fall ? std::clamp(std::log(first / rms) / std::log(first / still), 0.0, 1.0) : 0.0;

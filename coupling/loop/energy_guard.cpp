@@ -13,6 +13,7 @@ namespace couloir {
 namespace {
 
 constexpr double deep_overlap = 0.3;  // [-] impacts of soft grains stay below it
+constexpr double most_overlap = 0.5;  // [-] a radius: what lies deeper in each other may pass through
 
 double length(const Vec& v) {
   return std::hypot(v[0], v[1], v[2]);
@@ -54,6 +55,9 @@ double EnergyGuard::brought(const AdvanceRequest& request, const Grains& g) cons
 }
 
 void EnergyGuard::look(const AdvanceRequest& request, const Grains& before, const Advanced& a) {
+  if (a.max_overlap > most_overlap)
+    throw NumericsError(fmt::format("by step {} two grains overlap by {:.2g} d, more than a radius: {}", a.step, a.max_overlap,
+                                    cause(a.max_overlap)));
   double energy = a.kinetic_energy, weight = 0;
   for (std::size_t i = 0; i < a.grains.size(); ++i) {
     const double mass = grain_mass(a.grains.radius[i], density_);

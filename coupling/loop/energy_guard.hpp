@@ -6,7 +6,8 @@
 //   drives
 //
 // Contacts give back what they have stored, which is at most the kinetic energy that went before. So unexplained energy above
-// the largest kinetic energy that was explained, and the weight of all grains times a diameter (contacts at rest), is a fault.
+// the largest kinetic energy that was explained, and the weight of all grains times a diameter (contacts at rest), is a fault. So
+// is an overlap of more than a radius.
 
 #include "coupling/engine/engine_error.hpp"
 #include "coupling/engine/grain_engine.hpp"

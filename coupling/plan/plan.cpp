@@ -1,9 +1,11 @@
 #include "coupling/plan/plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "continuum/isa/isa.hpp"
 #include "coupling/plan/build.hpp"
@@ -170,6 +172,38 @@ void warn_of_zone(const Scene& scene, const PlannedZone& zone, const auto& say) 
   }
 }
 
+// Grain parameters of the scene's own that its calibration does not know of, or its contact law.
+void warn_of_hand_set(const Scene& scene, const auto& say) {
+  const auto set = [&](const std::vector<std::string>& names) {
+    std::vector<std::string> out;
+    for (const std::string& name : names)
+      if (scene.places.has("grains." + name)) out.push_back("grains." + name);
+    return out;
+  };
+  const auto rolling = set({"rolling_friction", "base_rolling_friction"});
+  if (scene.grains.contact == "kelvin_voigt" && !rolling.empty())
+    say(fmt::format("{} has no effect: contact kelvin_voigt has no rolling friction.", fmt::join(rolling, ", ")));
+  const auto other = set({"friction", "rolling_friction", "base_friction", "base_rolling_friction", "restitution",
+                          "youngs_modulus", "poisson_ratio"});
+  if (!scene.material.calibration.empty() && !other.empty())
+    say(fmt::format("The scene sets {} itself: the angles of the record {} are not those of these grains.",
+                    fmt::join(other, ", "), scene.material.calibration));
+}
+
+// Two spheres that meet at a speed v, by Hertz, overlap by (5 pi sqrt(2) / 8 rho v^2 / E*)^0.4 / 2 of a diameter.
+void warn_of_impacts(const Plan& plan, const Scene& scene, const auto& say) {
+  const GrainMaterial& m = scene.material.grain;
+  const double speed = std::max(plan.at_obstacle.velocity, scene.release.speed());
+  const double stiffness = m.youngs_modulus / (2 * (1 - m.poisson_ratio * m.poisson_ratio));
+  const double ratio = expected_grain_density(scene) * speed * speed / stiffness;
+  const double overlap = 0.5 * std::pow(5 * std::numbers::pi * std::numbers::sqrt2 / 8 * ratio, 0.4);
+  if (overlap > 0.25)
+    say(fmt::format(
+        "Grains at {:.3g} m/s overlap by about {:.2g} of a diameter when they meet: they are too soft for that; raise "
+        "grains.youngs_modulus (their time step follows).",
+        speed, overlap));
+}
+
 // Grains where they are not called for, and none where there is an obstacle.
 void warn_of_places(const Plan& plan, const Scene& scene, const auto& say) {
   bool fails = false;
@@ -210,13 +244,15 @@ void warn(Plan& plan, const Scene& scene) {
   }
   const Material& m = scene.material;
   if (const std::string own =
-          calibration_name(m.name, g.engine, contact_name(contact_law(g.contact), g.tangential_damping), g.rotation, d);
+          calibration_name(m.name, g.engine, contact_name(contact_law(g.contact), g.tangential_damping), rotation_name(g), d);
       !m.calibration.empty() && m.calibration != own) {
     say(
         fmt::format("The material's frictions are of the record {}, these grains would be {}: they may show other angles "
                     "(docs/calibration.md).",
                     m.calibration, own));
   }
+  warn_of_hand_set(scene, say);
+  warn_of_impacts(plan, scene, say);
   if (plan.at_obstacle.depth < 3 * d) {
     say(fmt::format("The flow at the obstacle is expected to be {:.3g} mm deep, less than three grains of {}.",
                     plan.at_obstacle.depth * 1e3, len(d)));

@@ -25,9 +25,9 @@ void check_restitution(const Scene& scene) {
   const double e = scene.material.grain.restitution;
   if (scene.grains.tangential_damping || scene.grains.contact != "hertz" || e >= least_undamped_restitution) return;
   throw SceneError(
-      fmt::format("{}: grains.tangential_damping is off where the restitution is {:g}: LIGGGHTS's hertz then takes no less than "
-                  "{:g}; raise the "
-                  "restitution, leave tangential_damping out, or use grains.contact: kelvin_voigt",
+      fmt::format("{}: grains.tangential_damping is off where the restitution is {:g}: packings of both engines are settled by "
+                  "LIGGGHTS, whose hertz then takes no less than {:g}; raise the restitution, leave tangential_damping out, or "
+                  "use grains.contact: kelvin_voigt",
                   scene.places.of("grains.tangential_damping"), e, least_undamped_restitution));
 }
 

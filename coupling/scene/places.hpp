@@ -10,6 +10,7 @@ class Places {
   explicit Places(std::string file = "scene") : file_(std::move(file)) {}
   void note(const std::string& key, const std::string& place) { places_[key] = place; }
   const std::string& of(std::string key) const;
+  bool has(const std::string& key) const { return places_.contains(key); }
 
  private:
   std::string file_;

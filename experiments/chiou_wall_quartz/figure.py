@@ -22,7 +22,7 @@ def main(folder, path):
     figure, axes = style.plt.subplots(len(frames), 2, figsize=(1.1 * style.WIDTH, 2 * len(frames)), layout="constrained")
     for row, frame, wanted in zip(axes, frames, TIMES):
         image = figures.draw_depth(row[0], run, frame, deepest, box)
-        late = f", at rest ({wanted} s)" if wanted - frame.time > 0.1 else ""
+        late = f", the run's end, for {wanted} s" if wanted - frame.time > 0.1 else ""
         row[0].set_title(f"t = {frame.time:.2f} s{late}")
         row[0].set_xticks(range(250, 1751, 500))
         row[0].set_ylabel("y [mm]")

@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-LOOKS = {"liggghts": {"marker": "o", "ms": 7, "mfc": "none", "color": "tab:blue"}, "yade": {"marker": "x", "color": "tab:red"}}
+LOOKS = {"liggghts": {"marker": "o", "ms": 11, "mfc": "none", "color": "tab:blue"}, "yade": {"marker": "x", "color": "tab:red"}}
 
 
 def read(records):
