@@ -118,18 +118,27 @@ class GrainsRun : public ModeRun {
 
   double mass_before() const { return mass_ > 0 ? mass_ : initial_mass_; }
 
+  // Means over squares of two diameters: a grain that lies in one cell is as deep as the cell is narrow.
   double depth_on_top(const ObstacleSpec& o, const Grains& g) const {
     const CellBox box{int((o.x - grid_.x0) / grid_.dx), int((o.x + o.length - grid_.x0) / grid_.dx + 0.5),
                       int((o.y - o.width / 2 - grid_.y0) / grid_.dy), int((o.y + o.width / 2 - grid_.y0) / grid_.dy + 0.5)};
     if (box.empty()) return 0;
     const CoarseGrained field =
         coarse_grain(g, grid_, box, surface_, side_->table().grain_density(), side_->table().bulk_density(), false);
+    const auto cells = [&](double step) { return std::max(1, int(std::ceil(2 * scene_.grains.diameter / step - 1e-9))); };
+    const int wide = cells(grid_.dx), high = cells(grid_.dy);
     double most = 0;
-    for (int j = box.j0; j < box.j1; ++j)
-      for (int i = box.i0; i < box.i1; ++i) {
-        // The box around a mesh holds places beside it.
-        if (o.shape == ObstacleSpec::Shape::mesh && !o.covers(grid_.x(i), grid_.y(j))) continue;
-        most = std::max(most, field.at(i, j).h);
+    for (int j0 = box.j0; j0 < box.j1; j0 += high)
+      for (int i0 = box.i0; i0 < box.i1; i0 += wide) {
+        double sum = 0;
+        int count = 0;
+        for (int j = j0; j < std::min(j0 + high, box.j1); ++j)
+          for (int i = i0; i < std::min(i0 + wide, box.i1); ++i) {
+            // The box around a mesh holds places beside it.
+            if (o.shape == ObstacleSpec::Shape::mesh && !o.covers(grid_.x(i), grid_.y(j))) continue;
+            sum += field.at(i, j).h, ++count;
+          }
+        if (count > 0) most = std::max(most, sum / count);
       }
     return most;
   }

@@ -14,7 +14,8 @@
 //             .max_overlap
 //   obstacles.<name> .force_peak, .force_peak_time, .force_peak_window, .force_mean, .force_final, .first_contact (null: never),
 //             .impulse, .impulse_across: of the component along the slope, defined in force_series.hpp
-//             .max_depth_on_top, .depth_on_top_final [m]: greatest depth on its top, over the run and at the end
+//             .max_depth_on_top, .depth_on_top_final [m]: greatest depth on its top, over the run and at the end; of
+//             grains alone: means over squares of two diameters
 //             method planes also: .overflow [kg] over its upper edges, .max_heap [m] on the slope along its foot, .max_climbed
 //             [m]
 //   obstacles.<name>.gauges.<gauge> .area [m2]; .first_contact (null: never); of the stresses normal, shear_up and shear_across

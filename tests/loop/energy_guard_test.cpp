@@ -57,6 +57,14 @@ TEST_P(Guard, StopsATimeStepThatMakesEnergy) {
   EXPECT_NE(what.find("lower grains.timestep"), std::string::npos) << what;
 }
 
+// Two grains of 4 mm at 30 m/s each: more than a radius deep in each other, whatever the energy.
+TEST_P(Guard, StopsGrainsThatMayPassThroughEachOther) {
+  const NewGrain left{1, {0.02, 0.03, 0.03}, {30, 0, 0}, 0.002}, right{2, {0.03, 0.03, 0.03}, {-30, 0, 0}, 0.002};
+  const std::string what = said_of(worker(), 1, {left, right}, 30);
+  EXPECT_NE(what.find("more than a radius"), std::string::npos) << what;
+  EXPECT_NE(what.find("raise grains.youngs_modulus"), std::string::npos) << what;
+}
+
 TEST_P(Guard, StopsGrainsThatAreBornInEachOther) {
   std::vector<NewGrain> grains = lattice(8, 2);
   for (NewGrain& n : lattice(8, 2, 1001, 1.0 * d)) grains.push_back(n);

@@ -44,6 +44,18 @@ TEST(Plan, SaysWhereFrictionsAreNotThoseOfTheirCalibration) {
               Contains(HasSubstr("of the record vestolen-liggghts-4mm, these grains would be vestolen-yade-6mm-blocked")));
   EXPECT_THAT(warnings({{"grains.tangential_damping", "off"}}),
               Contains(HasSubstr("these grains would be vestolen-liggghts-4mm-hertz-undamped")));
+  EXPECT_THAT(warnings({{"grains.friction", "0.1"}}),
+              Contains(HasSubstr("The scene sets grains.friction itself: the angles of the record")));
+  EXPECT_THAT(warnings({{"grains.contact", "kelvin_voigt"}, {"grains.rolling_friction", "0.3"}}),
+              Contains(HasSubstr("grains.rolling_friction has no effect: contact kelvin_voigt has no rolling friction.")));
+  const std::string slow = "{control: {retarding_time: 10 s}}", own = "vestolen-liggghts-4mm-control-10ms";
+  EXPECT_THAT(warnings({{"material.calibration", own}, {"grains.rotation", slow}}),
+              Contains(HasSubstr("vestolen-liggghts-4mm-control-10000ms")));
+  EXPECT_THAT(warnings({{"material.calibration", own}, {"grains.rotation", "{control: {retarding_time: 10 ms}}"}}),
+              Not(Contains(HasSubstr("of the record"))));
+  EXPECT_THAT(warnings({{"release.velocity", "20 m/s"}, {"grains.window", "4"}}),
+              Contains(HasSubstr("they are too soft for that")));
+  EXPECT_THAT(warnings({}), Not(Contains(HasSubstr("too soft"))));
   const auto once = HasSubstr("grains.replicates is 3, but nothing in mode continuum is random");
   EXPECT_THAT(warnings({{"mode", "continuum"}, {"grains.replicates", "3"}}), Contains(once));
   EXPECT_THAT(warnings({{"grains.replicates", "3"}}), Not(Contains(once)));
