@@ -86,7 +86,8 @@ def draw_cost(axes, study, layout, quantity):
             continue
         own = lambda place: [cpu[k] for k in rows if layout.place[k] == place and group[k] > 0]
         x, y = [np.mean(own(place)) for place, _, _ in points], [value for _, value, _ in points]
-        axes.plot(x, y, **look(n, layout))
+        ordered = sorted(x) in (x, x[::-1])  # a line that runs to and fro tells nothing
+        axes.plot(x, y, **{**look(n, layout), **({} if ordered else {"linestyle": "none"})})
         for seconds, value, (_, _, k) in zip(x, y, points):
             axes.annotate(layout.mark[k], (seconds, value), textcoords="offset points", xytext=(5, 5), fontsize=7.5, color=style.GREY)
     shown = [line.get_xdata() for line in axes.lines]
