@@ -8,12 +8,14 @@
 #include <numbers>
 
 #include "coupling/plan/flow_estimate.hpp"
+#include "coupling/scene/release_shape.hpp"
 
 namespace couloir {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double steepest = 45 * degree, most_curvature = 0.3, most_acceleration = 0.5, strongest_jump = 2, fewest_grains = 5;
+constexpr double steepest = 45 * degree, most_curvature = 0.3, most_acceleration = 0.5, strongest_jump = 2, fewest_grains = 5,
+                 tallest_release = 0.5;
 
 // How the flow must turn to climb an obstacle: by which angle, within which length of bed.
 struct Turn {
@@ -104,6 +106,13 @@ std::vector<ShallowVerdict> shallow_verdicts(const Scene& scene) {
       add_grains(arc, scene, flow);
       out.push_back(arc);
     }
+  }
+  using Kind = ReleaseSpec::Kind;
+  if (scene.release.kind != Kind::uniform && scene.release.kind != Kind::none) {
+    const Footprint base = release_footprint(scene);
+    ShallowVerdict release{"the release", false, {}};
+    release.tests.push_back(at_most("depth over length", deepest(scene) / (base.x1 - base.x0), tallest_release));
+    out.push_back(release);
   }
   return out;
 }

@@ -13,6 +13,9 @@
 //                                                    curvature it has, this is no test
 //   jump          (sqrt(1 + 8 Fr^2) - 1) / 2         2: depth behind a jump over that before it (Belanger); no higher than the
 //                                                       obstacle lets it be
+//   release       its depth over its length          0.5: a taller column falls before it flows, and its front comes later and
+//   denser
+//                                                       than the model's
 //   grains        h / d                              at least 5 grains deep, where the grains' diameter is known
 
 #include <string>
@@ -30,7 +33,7 @@ struct ShallowTest {
 };
 
 struct ShallowVerdict {
-  std::string place;  // an obstacle's name, or "arc"
+  std::string place;  // an obstacle's name, "arc", or "the release"
   bool obstacle = false;
   std::vector<ShallowTest> tests;
   bool holds() const;
@@ -38,8 +41,8 @@ struct ShallowVerdict {
   std::string sentence() const;
 };
 
-// For each obstacle in the scene's order, then for the arc where the terrain has one that the flow reaches. Only the first four
-// tests decide: too few grains for a continuum is told, but no reason for a zone of its own.
+// For each obstacle in the scene's order, for the arc where the terrain has one that the flow reaches, and for a finite release.
+// All but the last decide: too few grains for a continuum is told, but no reason for a zone of its own.
 std::vector<ShallowVerdict> shallow_verdicts(const Scene&);
 ShallowVerdict shallow_verdict(const Scene&, const ObstacleSpec&);
 

@@ -42,7 +42,7 @@ TEST(ShallowModel, FailsAtAWallByEachNumber) {
 
 TEST(ShallowModel, HoldsAtAMoundAndOnTheArc) {
   const auto verdicts = shallow_verdicts(wall_scene(mound));
-  ASSERT_EQ(verdicts.size(), 3u);
+  ASSERT_EQ(verdicts.size(), 4u);
   const ShallowVerdict& low = verdicts[0].place == "mound" ? verdicts[0] : verdicts[1];
   EXPECT_TRUE(low.holds()) << low.sentence();
   EXPECT_THAT(low.sentence(), HasSubstr("; but depth over diameter ")) << "told, and no reason for grains";
@@ -57,6 +57,13 @@ TEST(ShallowModel, AJumpIsNoHigherThanItsObstacleLetsItBe) {
   EXPECT_NEAR(v.tests[3].value, 1 + 0.005 / flow_estimate_at(scene, 0.65).depth, 1e-12);
 }
 
+TEST(ShallowModel, FailsWhereATallColumnIsReleased) {
+  EXPECT_TRUE(shallow_verdicts(wall_scene()).back().holds()) << "a cap of 60 mm on 316 mm";
+  const Scene flume =
+      read_scene(COULOIR_SOURCE_DIR "/experiments/moriguchi_flume", COULOIR_SOURCE_DIR "/dem_inputs/materials", {});
+  EXPECT_EQ(shallow_verdicts(flume).back().sentence(), "fails at the release: depth over length 0.74, limit 0.5");
+}
+
 TEST(ShallowModel, TellsWhereGrainsAreCalledFor) {
   const Plan both = make_plan(wall_scene(mound));
   ASSERT_EQ(both.zones.size(), 1u);
@@ -67,7 +74,7 @@ TEST(ShallowModel, TellsWhereGrainsAreCalledFor) {
       Contains(HasSubstr("mound lies outside the zone: the continuum flows around it, as the shallow model holds there.")));
   EXPECT_THAT(plan_text(both), HasSubstr("shallow    "));
   EXPECT_THAT(plan_text(both), HasSubstr("fails at wall: "));
-  EXPECT_EQ(plan_json(both)["shallow"].size(), 3u);
+  EXPECT_EQ(plan_json(both)["shallow"].size(), 4u);
 
   Overrides alone = mound;
   alone.emplace_back("obstacles.wall", "{position: [450 mm, 0], size: [300 mm, 400 mm, 4 mm], method: elevation, ramp: 150 mm}");
