@@ -108,9 +108,9 @@ TEST_F(Check, UndampedContactsHaveALeastRestitution) {
   EXPECT_EQ(with({}), "");
   EXPECT_EQ(with({{"grains.restitution", "0.22"}}), "");
   EXPECT_EQ(with({{"grains.restitution", "0.2"}}),
-            "--set grains.tangential_damping: grains.tangential_damping is off where the restitution is 0.2: LIGGGHTS's hertz "
-            "then takes "
-            "no less than 0.22; raise the restitution, leave tangential_damping out, or use grains.contact: kelvin_voigt");
+            "--set grains.tangential_damping: grains.tangential_damping is off where the restitution is 0.2: packings of both engines "
+            "are settled by LIGGGHTS, whose hertz then takes no less than 0.22; raise the restitution, leave tangential_damping out, or "
+            "use grains.contact: kelvin_voigt");
   EXPECT_EQ(with({{"grains.restitution", "0.2"}, {"grains.contact", "kelvin_voigt"}}), "");
   EXPECT_EQ(error(good_scene, {{"grains.restitution", "0.2"}}), "");
   EXPECT_THAT(error(good_scene, {{"grains.tangential_damping", "0.5"}}), testing::HasSubstr("off, on"));
