@@ -61,7 +61,7 @@ def advance(session, steps, insert=()):
     """As the worker does it, with the answer packed."""
     from couloir_yade import messages
     import numpy as np
-    answer = session.advance(messages.Request(steps, list(insert), np.zeros(0, np.int64), [], True))
+    answer = session.advance(messages.Request(steps, list(insert), np.zeros(0, np.int64), [], True, []))
     messages.pack(messages.ADVANCED, answer)
     return answer
 
