@@ -56,7 +56,6 @@ int run_replicates(const RunFolder& folder, const Scene& scene, bool quiet) {
   share_out(runs.size() - 1, jobs, work, told_to_stop);
 
   summary["replicates"] = over_packings(runs);
-  summary["replicates"]["asked"] = count;
   write_atomically(file, summary.dump(2) + "\n");
   const bool all = summary["replicates"]["failed"].empty();
   if (!all)
@@ -67,6 +66,7 @@ int run_replicates(const RunFolder& folder, const Scene& scene, bool quiet) {
 
 std::string replicates_text(const nlohmann::json& replicates) {
   std::string out;
+  if (replicates.at("count").get<int>() < 2) return out;
   const auto of = [](const nlohmann::json& f, const char* unit) {
     const bool one = f.at("scatter").is_null();
     return one ? fmt::format("{:.4g} {}", f.at("mean").get<double>(), unit)
@@ -74,7 +74,6 @@ std::string replicates_text(const nlohmann::json& replicates) {
   };
   for (const auto& [name, o] : replicates.at("obstacles").items()) {
     if (!o.contains("force_peak") || !o.contains("impulse")) continue;
-    if (replicates.at("count").get<int>() < 2) continue;
     out += fmt::format("{}, {} packings: peak {}, impulse {}\n", name, replicates.at("count").get<int>(),
                        of(o.at("force_peak"), "N"), of(o.at("impulse"), "N s"));
   }

@@ -247,8 +247,9 @@ def forces(run, path):
         if peak != 0:
             a.plot(at, peak, "o", color=style.RED, markersize=7, zorder=5)
             above = 1.1 * np.max(f["fx"]) if peak > 0 else 1.1 * np.min(f["fx"])  # clear of both curves
-            a.annotate(f" peak{' of the first packing' if run.packings else ''} {peak:.3g} N at {at:.3f} s ", (at, peak), xytext=(at, above), ha="left" if early else "right",
-                       va="center", color=style.RED, fontweight="bold",
+            whose = " of the first packing" if run.packings else ""
+            a.annotate(f" peak{whose} {peak:.3g} N at {at:.3f} s ", (at, peak), xytext=(at, above),
+                       ha="left" if early else "right", va="center", color=style.RED, fontweight="bold",
                        arrowprops={"arrowstyle": "-", "color": style.RED, "linewidth": 0.8})
         a.axhline(0, color=style.GREY, linewidth=0.8)
         a.set_title(f"Force on {name}, along the slope")

@@ -206,8 +206,7 @@ void warn_of_impacts(const Plan& plan, const Scene& scene, const auto& say) {
 
 // Grains where they are not called for, and none where there is an obstacle.
 void warn_of_places(const Plan& plan, const Scene& scene, const auto& say) {
-  bool fails = false;
-  for (const ShallowVerdict& v : plan.shallow) fails = fails || (v.obstacle && !v.holds());
+  const bool fails = std::ranges::any_of(plan.shallow, [](const ShallowVerdict& v) { return v.obstacle && !v.holds(); });
   if (!scene.grains.zone && !fails)
     say("The shallow model holds at every obstacle: mode continuum would do. The zones are around all of them.");
   for (const ObstacleSpec& o : scene.obstacles) {
