@@ -89,8 +89,9 @@ struct NewGrain {
 
 // One raft: the driven grains of one segment, moving as a rigid body:
 //   along the inward normal   m du/dt = sum of forces on its grains + push,   least <= u <= most
-//   along the face            none while driven, so that the layer keeps its packing; u_along is added when a grain is freed
-// With no grains, or with less than `least_mass`, u = most.
+//   along the face            slide while driven, along when a grain is freed
+// With no grains, or with less than `least_mass`, u = most. At an advance's beginning a grain that has slid into another segment
+// of its face belongs to that one's raft.
 struct SegmentDrive {
   double push = 0;             // [N] by the flow outside
   double most = 0, least = 0;  // [m/s]
@@ -98,6 +99,7 @@ struct SegmentDrive {
   double least_mass = 0;       // [kg]
   bool exit_active = false;
   Vec exit_velocity{};  // [m/s]
+  double slide = 0;     // [m/s]
 };
 
 // Which raft a grain belongs to from now on.

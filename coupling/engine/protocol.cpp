@@ -50,7 +50,7 @@ void fields(A& a, NewGrain& s) {
 }
 template <class A>
 void fields(A& a, SegmentDrive& s) {
-  a(s.push, s.most, s.least, s.along, s.least_mass, s.exit_active, s.exit_velocity);
+  a(s.push, s.most, s.least, s.along, s.least_mass, s.exit_active, s.exit_velocity, s.slide);
 }
 template <class A>
 void fields(A& a, Regrouped& s) {

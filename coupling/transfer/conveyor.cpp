@@ -6,72 +6,112 @@
 namespace couloir {
 
 Conveyor::Conveyor(const RimFace& face, int face_index, const PackingTable& table, double layer)
-    : face_(&face), face_index_(face_index), table_(&table), layer_(layer), candidates_(face.segments), state_(face.segments) {
-  const Packing& block = table.packing();
-  const double extent = face.cells * face.cell_width;
-  const double shift = face.from_anchor - std::floor(face.from_anchor / block.width) * block.width;
-  for (double offset = -shift; offset < extent; offset += block.width)
-    for (const auto& grain : block.grains) {
-      const double along = offset + grain.y;
-      if (along < 0 || along >= extent) continue;
-      // In a wall it would be shot away; what it would have carried stays owed, and the others stand a little higher.
-      if ((face.walls[0] && along < grain.r) || (face.walls[1] && along > extent - grain.r)) continue;
-      const int segment = face.segment_of_cell(face.cell_at(along));
-      candidates_[segment].push_back({block.length - grain.x, along, grain.z, grain.r});
-    }
-  for (auto& list : candidates_)
-    std::stable_sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) { return a.x < b.x; });
+    : face_(&face), face_index_(face_index), table_(&table), layer_(layer), state_(face.segments) {
+  for (const auto& g : table.packing().grains) block_.push_back({table.packing().length - g.x, g.y, g.z, g.r});
+  std::stable_sort(block_.begin(), block_.end(), [](const Candidate& a, const Candidate& b) { return a.x < b.x; });
 }
 
-void Conveyor::advance(int segment, double displacement, double mass, const std::vector<double>& depth, double velocity,
-                       const Occupied& occupied, std::int64_t& next_id, std::vector<NewGrain>& out) {
+void Conveyor::slide(double distance) {
+  slid_ += distance;
+  slid_now_ = distance;
+}
+
+double Conveyor::advance(int segment, const Pull& pull, const std::vector<double>& depth, const Occupied& occupied,
+                         std::int64_t& next_id, std::vector<NewGrain>& out) {
   State& s = state_[segment];
-  const auto& list = candidates_[segment];
-  const double before = s.position, owed_before = s.owed;
-  s.position += displacement;
-  s.owed += mass;
-  if (list.empty()) return;
+  s.position += pull.displacement;
+  const double by_end = pull.open_end && slid_now_ != 0 ? take_by_end(segment, pull, depth, occupied, next_id, out) : 0;
+  s.owed += pull.mass - take_by_plane(segment, pull, depth, occupied, next_id, out);
+  return by_end;
+}
 
-  const double block = table_->packing().length;
-  const double d = 2 * list.front().r;
-  const auto [first_cell, past] = face_->cells_of_segment(segment);
-  const double area = (past - first_cell) * face_->cell_width * 4 * d;  // over which a debt is spread
-  const Vec& n = face_->drive.inward;
+double Conveyor::comes_at(long n) const {
+  const long size = long(block_.size());
+  const long laps = n >= 0 ? n / size : -((size - 1 - n) / size);
+  return block_[n - laps * size].x + double(laps) * table_->packing().length;
+}
 
+const Conveyor::Candidate& Conveyor::grain(long n) const {
+  const long size = long(block_.size());
+  return block_[((n % size) + size) % size];
+}
+
+double Conveyor::first_place(const Candidate& c, double from) const {
+  const double width = table_->packing().width, at = c.y - face_->from_anchor + slid_;
+  return at + std::ceil((from - at) / width) * width;
+}
+
+bool Conveyor::stands_in_wall(double along, double r) const {
+  return (face_->walls[0] && along < r) || (face_->walls[1] && along > face_->extent() - r);
+}
+
+NewGrain Conveyor::make(int segment, const Candidate& c, double distance, double along, const Pull& pull) const {
+  const double z = std::max(c.z, c.r);  // no overlap with the bed from the weight of a deeper block
+  Vec v;
+  for (int q = 0; q < 3; ++q) v[q] = pull.velocity * face_->drive.inward[q] + pull.slide * face_->drive.along[q];
+  return {0, face_->place(distance, along, z), v, c.r, face_index_, segment};
+}
+
+double Conveyor::take_by_plane(int segment, const Pull& pull, const std::vector<double>& depth, const Occupied& occupied,
+                               std::int64_t& next_id, std::vector<NewGrain>& out) {
+  State& s = state_[segment];
+  const double before = s.position - pull.displacement, d = 2 * block_.front().r;
+  const auto [low, high] = face_->reach_of_segment(segment);
+  const double area = (high - low) * 4 * d;  // over which a debt is spread
   double taken = 0;
   for (;; ++s.passed) {
-    const Candidate& c = list[s.passed % list.size()];
-    const double x = c.x + double(s.passed / long(list.size())) * block;
+    const Candidate& c = grain(s.passed);
+    const double x = comes_at(s.passed);
     if (x > s.position) break;
     // What was owed at the instant this grain passed, were the flow's mass spread evenly over the displacement.
-    const double share = displacement > 0 ? std::clamp((x - before) / displacement, 0.0, 1.0) : 1.0;
-    const double owed = owed_before + share * mass - taken;
-    const double h = depth[face_->cell_at(c.along)];
-    if (h <= 0 || c.z > table_->cut(table_->bulk_density() * h + owed / area)) continue;
-    const double m = table_->grain_mass(c.r);
-    if (owed < -4 * m) continue;  // the tail of a flow: nothing left to take
-
-    const double distance = -layer_ + (s.position - x);
-    const double z = std::max(c.z, c.r);  // no overlap with the bed from the weight of a deeper block
-    const Vec p = face_->place(distance, c.along, z);
-    if (occupied(segment, p, c.r)) continue;
-    Vec v;
-    for (int q = 0; q < 3; ++q) v[q] = velocity * n[q];
-    out.push_back({next_id++, p, v, c.r, face_index_, segment});
-    taken += m;
+    const double share = pull.displacement > 0 ? std::clamp((x - before) / pull.displacement, 0.0, 1.0) : 1.0;
+    for (double along = first_place(c, low); along < high; along += table_->packing().width) {
+      // In a wall it would be shot away; what it would have carried stays owed, and the others stand a little higher.
+      if (stands_in_wall(along, c.r)) continue;
+      const double owed = s.owed + share * pull.mass - taken, h = depth[face_->cell_at(along)];
+      if (h <= 0 || c.z > table_->cut(table_->bulk_density() * h + owed / area)) continue;
+      const double m = table_->grain_mass(c.r);
+      if (owed < -4 * m) continue;  // the tail of a flow: nothing left to take
+      NewGrain g = make(segment, c, -layer_ + (s.position - x), along, pull);
+      if (occupied(segment, g.position, c.r)) continue;
+      g.id = next_id++;
+      out.push_back(g);
+      taken += m;
+    }
   }
-  s.owed -= taken;
+  return taken;
 }
 
-void Conveyor::go_to(int segment, double position) {
-  State& s = state_[segment];
-  s.position = position;
-  const auto& list = candidates_[segment];
-  if (list.empty()) return;
-  const double block = table_->packing().length;
-  const auto passed = [&](long n) { return list[n % list.size()].x + double(n / long(list.size())) * block <= position; };
-  s.passed = std::max(0l, long(std::floor(position / block)) - 1) * long(list.size());
-  while (passed(s.passed)) ++s.passed;
+// Of the block's part that has passed the plane, what has slid into the segment in the last window.
+double Conveyor::take_by_end(int segment, const Pull& pull, const std::vector<double>& depth, const Occupied& occupied,
+                             std::int64_t& next_id, std::vector<NewGrain>& out) const {
+  const State& s = state_[segment];
+  const auto [low, high] = face_->reach_of_segment(segment);
+  const double from = slid_now_ > 0 ? low : std::max(low, high + slid_now_);
+  const double to = slid_now_ > 0 ? std::min(high, low + slid_now_) : high;
+  double entered = 0;
+  for (long n = s.passed - 1; comes_at(n) > s.position - layer_; --n) {
+    const Candidate& c = grain(n);
+    const double distance = -layer_ + (s.position - comes_at(n));
+    if (distance < -layer_) continue;  // the raft has gone back
+    for (double along = first_place(c, from); along < to; along += table_->packing().width) {
+      if (c.z > table_->cut(table_->bulk_density() * depth[face_->cell_at(along)])) continue;
+      NewGrain g = make(segment, c, distance, along, pull);
+      if (occupied(segment, g.position, c.r)) continue;
+      g.id = next_id++;
+      out.push_back(g);
+      entered += table_->grain_mass(c.r);
+    }
+  }
+  return entered;
+}
+
+void Conveyor::go_on(int segment, const Conveyor& before, int before_segment) {
+  const State& was = before.state_[before_segment];
+  state_[segment].position = was.position;
+  state_[segment].passed = was.passed;
+  slid_ = before.slid_;
+  slid_now_ = before.slid_now_;
 }
 
 double Conveyor::owed() const {

@@ -49,6 +49,7 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
       face.walls = {settings.walls[2] && zone.j0 == 0, settings.walls[3] && zone.j1 == grid.ny};
     else
       face.walls = {settings.walls[0] && zone.i0 == 0, settings.walls[1] && zone.i1 == grid.nx};
+    face.slides = face.axis() == 0 ? zone.j0 > 0 && zone.j1 < grid.ny : zone.i0 > 0 && zone.i1 < grid.nx;
     face.drive = {.origin = to_vec(surface.to_space({x0, y0, 0})),
                   .inward = to_vec(inward),
                   .along = to_vec(along),

@@ -25,6 +25,7 @@ struct RimFace {
   int cells_per_segment = 1;
   int segments = 0;
   std::array<bool, 2> walls{};  // whether a wall of the domain stands at its low end, at its high end
+  bool slides = false;          // both ends lie within the domain: its driven layer may move along it
   DriveFace drive;              // the same face for the engine
   double from_anchor = 0;       // [m] from the anchor of the settings to the face's low end, along the face
   int axis() const { return side == SideName::upstream || side == SideName::downstream ? 0 : 1; }  // normal along x or y
@@ -33,6 +34,11 @@ struct RimFace {
   std::pair<int, int> cells_of_segment(int s) const {  // first, past the last
     return {s * cells_per_segment, std::min(cells, (s + 1) * cells_per_segment)};
   }
+  std::pair<double, double> reach_of_segment(int s) const {  // [m] along the face
+    const auto [first, past] = cells_of_segment(s);
+    return {first * cell_width, past * cell_width};
+  }
+  double extent() const { return cells * cell_width; }            // [m]
   double distance(const Vec& p) const;                            // [m] along the inward normal, positive in the zone
   double along(const Vec& p) const;                               // [m] from the face's low end, on the reference surface
   int cell_at(double along) const;                                // clamped to the face

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "coupling/transfer/fill.hpp"
 
@@ -15,6 +16,9 @@ Zone::Zone(const ZoneSettings& settings, const Grid& grid, const ReferenceSurfac
       rim_(grid, settings.box, surface, settings.rim),
       handback_(rim_, surface, table.grain_density()),
       next_id_(settings.first_id) {
+  slide_.resize(rim_.faces().size());
+  slid_.resize(rim_.faces().size());
+  by_ends_.resize(rim_.faces().size());
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
     const RimFace& face = rim_.faces()[f];
     conveyors_.emplace_back(face, f, table, rim_.layer());
@@ -66,9 +70,9 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
           if (distance < -rim_.layer()) continue;
           g.face = out_of;
           g.segment = segment;
-          lent_ += m;
-          lent_momentum_ += m * surface_->tangent(surface_->to_surface({g.position[0], g.position[1], g.position[2]}).x)
-                                    .dot(Eigen::Vector3d::Map(g.velocity.data()));
+          note_driven(g);
+          lent_.lend(m, m * surface_->tangent(surface_->to_surface({g.position[0], g.position[1], g.position[2]}).x)
+                                .dot(Eigen::Vector3d::Map(g.velocity.data())));
         } else {
           handback_.mark_shadow(g.id);
         }
@@ -174,31 +178,33 @@ AdvanceRequest Zone::request(Solver& solver) {
       depth[k] = solver.at(i, j).h;
     }
 
+    conveyors_[f].slide(slid_[f]);
+    slid_[f] = 0;
     std::vector<SegmentDrive> drives(face.segments);
     for (int s = 0; s < face.segments; ++s) {
       Segment& segment = segments_[f][s];
       const auto [first, last] = face.cells_of_segment(s);
-      if (fresh_) {  // the layers came filled: what passes before they have moved pays for that
-        const double paid = std::min(lent_, given[s]);
-        if (lent_ > 0) lent_momentum_ -= lent_momentum_ * paid / lent_;
-        lent_ -= paid;
-        given[s] -= paid;
-      }
-      conveyors_[f].advance(s, segment.inflow ? segment.displacement : 0, given[s], depth, segment.raft,
-                            occupied(f, request.insert), next_id_, request.insert);
+      // The layers came filled: what passes before they have moved pays for that.
+      if (fresh_) given[s] = lent_.repay(given[s]);
+      const std::size_t first_new = request.insert.size();
+      const double by_end = conveyors_[f].advance(
+          s, {segment.inflow ? segment.displacement : 0, given[s], segment.raft, slide_[f], segment.inflow && open_end(f, s)},
+          depth, occupied(f, request.insert), next_id_, request.insert);
+      for (std::size_t n = first_new; n < request.insert.size(); ++n) note_driven(request.insert[n]);
+      by_ends_[f].lend(by_end, by_end * speed_along_x(f, segment.raft));
       SegmentDrive& drive = drives[s];
       if (segment.inflow) {
         double force = 0;
         for (int k = first; k < last; ++k) force += push(solver, f, k, segment.raft);
         drive.push = force * face.cell_width * table_->bulk_density();
         drive.most = segment.normal;
-        drive.least = fresh_ ? drive.most : -0.25 * std::sqrt(settings_.gravity * segment.depth);
+        drive.least = fresh_ ? drive.most : std::min(drive.most, -0.25 * std::sqrt(settings_.gravity * segment.depth));
         drive.along = segment.along;
         drive.least_mass = 5 * table_->mean_mass();
-        if (face.axis() == 1 && face.drive.along[0] < 0) drive.along = -drive.along;
       } else {
         drive_strip(solver, face, first, last, drive);
       }
+      drive.slide = slide_[f];
     }
     request.drives.push_back(std::move(drives));
   }
@@ -211,46 +217,85 @@ Conveyor::Occupied Zone::occupied(int face, const std::vector<NewGrain>& inserte
   // Two per cent: what an impact of half a metre a second makes. More would throw the grain out of the flow when it is freed.
   return [this, face, &inserted](int segment, const Vec& p, double r) {
     const auto overlaps = [&](const NewGrain& g) {
-      if (g.face == face && g.segment == segment && g.id >= own_from_) return false;
+      if (slide_[face] == 0 && g.face == face && g.segment == segment && g.id >= own_from_) return false;
       const double dx = g.position[0] - p[0], dy = g.position[1] - p[1], dz = g.position[2] - p[2];
       const double reach = 0.98 * (g.radius + r);
       return dx * dx + dy * dy + dz * dz < reach * reach;
     };
-    return std::any_of(layer_.begin(), layer_.end(), overlaps) || std::any_of(inserted.begin(), inserted.end(), overlaps);
+    return std::any_of(layer_.begin(), layer_.end(), overlaps) || std::any_of(inserted.begin(), inserted.end(), overlaps) ||
+           std::any_of(beside_.begin(), beside_.end(), overlaps);
   };
 }
 
 void Zone::find_layer(const Grains& g) {
   layer_.clear();
+  beside_.clear();
   for (std::size_t i = 0; i < g.size(); ++i) {
-    if (!g.driven[i]) continue;
     const Vec p{g.x[i], g.y[i], g.z[i]};
-    for (int f = 0; f < int(rim_.faces().size()); ++f) {
-      const RimFace& face = rim_.faces()[f];
-      const double s = face.distance(p);
-      if (s > 0 || s < -2 * rim_.layer()) continue;
-      layer_.push_back({g.id[i], p, {}, g.radius[i], f, face.segment_of_cell(face.cell_at(face.along(p)))});
-      break;
+    if (!g.driven[i]) {
+      if (is_beside_sliding_face(p)) beside_.push_back({g.id[i], p, {}, g.radius[i]});
+      continue;
     }
+    const int f = face_of_driven_[g.id[i]];
+    const RimFace& face = rim_.faces()[f];
+    layer_.push_back(
+        {g.id[i], p, {g.vx[i], g.vy[i], g.vz[i]}, g.radius[i], f, face.segment_of_cell(face.cell_at(face.along(p)))});
   }
 }
 
-void Zone::settle_departed(int f, int s) {
-  // The flow has turned away: its driven grains never came in. They go, and all that is owed goes back to the flow.
-  const RimFace& face = rim_.faces()[f];
-  double mass = conveyors_[f].owed(s);
-  bool any = false;
+bool Zone::is_beside_sliding_face(const Vec& p) const {
+  const double d = settings_.rim.diameter;
+  for (int f = 0; f < int(rim_.faces().size()); ++f)
+    if (slide_[f] != 0)
+      if (const double s = rim_.faces()[f].distance(p); s > -rim_.layer() - d && s < d) return true;
+  return false;
+}
+
+void Zone::note_driven(const NewGrain& g) {
+  if (g.id >= std::int64_t(face_of_driven_.size())) face_of_driven_.resize(2 * g.id + 1000, -1);
+  face_of_driven_[g.id] = char(g.face);
+}
+
+bool Zone::open_end(int f, int s) const {
+  if (slide_[f] == 0) return false;
+  const int beyond = slide_[f] > 0 ? s - 1 : s + 1;
+  return beyond < 0 || beyond >= int(segments_[f].size()) || !segments_[f][beyond].inflow;
+}
+
+double Zone::Loan::repay(double m) {
+  const double paid = std::min(mass, m);
+  if (mass > 0) momentum -= momentum * paid / mass;
+  mass -= paid;
+  return m - paid;
+}
+
+// Driven grains where the flow has turned away never came in, and those that have slid past their face's end, or before a segment
+// without a raft, will not. They go, beyond what is lent as flow outside, and what is owed where the flow has turned away with
+// them.
+void Zone::let_go_of_layer() {
+  std::set<std::pair<int, int>> departed;
   for (const NewGrain& g : layer_) {
-    if (g.face != f || g.segment != s) continue;
-    mass += table_->grain_mass(g.radius);
+    const RimFace& face = rim_.faces()[g.face];
+    const double along = face.along(g.position);
+    const bool past_end = (slide_[g.face] > 0 && along >= face.extent()) || (slide_[g.face] < 0 && along < 0);
+    const bool inflow = segments_[g.face][g.segment].inflow;
+    if (inflow && !past_end) continue;
+    if (!inflow) departed.insert({g.face, g.segment});
     remove_.push_back(g.id);
     handback_.mark_shadow(g.id);
-    any = true;
+    const double mass = by_ends_[g.face].repay(table_->grain_mass(g.radius));
+    const Eigen::Vector3d t = surface_->tangent(surface_->to_surface({g.position[0], g.position[1], g.position[2]}).x);
+    Parcel& parcel = handback_.pending()[g.face][face.cell_at(along)];
+    parcel.mass += mass;
+    parcel.mom_x += mass * (g.velocity[0] * t.x() + g.velocity[2] * t.z());
+    parcel.mom_y += mass * g.velocity[1];
   }
-  if (!any) return;
-  conveyors_[f].owe(s, -conveyors_[f].owed(s));
-  const int middle = std::min(face.cells - 1, s * face.cells_per_segment + face.cells_per_segment / 2);
-  handback_.pending()[f][middle].mass += mass;
+  for (const auto& [f, s] : departed) {
+    const RimFace& face = rim_.faces()[f];
+    const int middle = std::min(face.cells - 1, s * face.cells_per_segment + face.cells_per_segment / 2);
+    handback_.pending()[f][middle].mass += conveyors_[f].owed(s);
+    conveyors_[f].owe(s, -conveyors_[f].owed(s));
+  }
 }
 
 void Zone::absorb(const Advanced& advanced, Solver& solver, Airborne* airborne) {
@@ -265,9 +310,10 @@ void Zone::absorb(const Advanced& advanced, Solver& solver, Airborne* airborne) 
       segment.rate = segment.displacement / window_;
       segment.raft = advanced.segments[f][s].velocity;
       outside.back().push_back({segment.inflow, segment.fast_outflow ? rim_.short_buffer() : rim_.buffer()});
-      if (!segment.inflow && advanced.segments[f][s].mass > 0) settle_departed(f, s);
     }
+    slid_[f] = slide_[f] * window_;
   }
+  let_go_of_layer();
   const auto flies = [&](std::size_t k) {
     return airborne && airborne->take_off(g, k, table_->grain_mass(g.radius[k]), settings_.rim.diameter, solver);
   };
@@ -304,18 +350,23 @@ void Zone::take_out(const std::vector<std::int64_t>& ids) {
 }
 
 double Zone::faces_mass() const {
-  double sum = handback_.pending_mass() + remainder_ - lent_;
+  double sum = handback_.pending_mass() + remainder_ - lent_.mass;
+  for (const Loan& loan : by_ends_) sum -= loan.mass;
   for (const Conveyor& conveyor : conveyors_) sum += conveyor.owed();
   return sum;
 }
 
-// What is owed comes in with its raft, along the face's normal.
+double Zone::speed_along_x(int f, double raft) const {
+  const RimFace& face = rim_.faces()[f];
+  return face.axis() == 0 ? face.sign() * raft : slide_[f];
+}
+
+// What is owed comes in with its raft.
 double Zone::faces_momentum() const {
-  double sum = handback_.pending_momentum() - lent_momentum_;
+  double sum = handback_.pending_momentum() - lent_.momentum;
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
-    const RimFace& face = rim_.faces()[f];
-    if (face.axis() != 0) continue;
-    for (int s = 0; s < face.segments; ++s) sum += face.sign() * conveyors_[f].owed(s) * segments_[f][s].raft;
+    sum -= by_ends_[f].momentum;
+    for (int s = 0; s < rim_.faces()[f].segments; ++s) sum += conveyors_[f].owed(s) * speed_along_x(f, segments_[f][s].raft);
   }
   return sum;
 }

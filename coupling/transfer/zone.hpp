@@ -86,13 +86,18 @@ class Zone {
   std::vector<std::vector<double>> count_passed(const Solver&);
   // Between two windows; into a zone of the same settings. The solver's covered cells are the solver's.
   void state(Archive& a) {
-    a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, lent_, lent_momentum_, remainder_, next_id_, steps_,
-      window_, inserted_, fresh_, own_from_, closed_, covered_);
+    a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, beside_, lent_, by_ends_, remainder_, next_id_, steps_,
+      window_, inserted_, fresh_, own_from_, closed_, covered_, slide_, slid_, face_of_driven_);
   }
 
  private:
+  struct Loan {  // of mass that is among the grains, though the flow has not given it
+    double mass = 0, momentum = 0;  // [kg], [N s] along x
+    void lend(double m, double p) { mass += m, momentum += p; }
+    double repay(double m);  // returns [kg] what is more than was lent
+  };
   struct Segment {                            // of a face: what the flow outside does there
-    bool inflow = false;                      // comes in steeply enough to be carried by a raft
+    bool inflow = false;                      // a raft stands there: the flow comes in, or grazes a face that slides
     bool fast_outflow = false;                // normal Froude number above 2
     double depth = 0, normal = 0, along = 0;  // [m], [m/s] inward: all inflow of the face together, [m/s]
     double comes = 0;                         // [m/s] inward, of this segment alone
@@ -100,16 +105,22 @@ class Zone {
     double rate = 0;                          // [m/s] at which the raft draws the flow in
   };
   void look_outside(const Solver&);
+  bool carried(const RimFace&, const Segment&, double normal, double along) const;  // by a raft
+  bool open_end(int face, int segment) const;  // no raft stands beyond the end from which the segment slides
   void share_out(double mass);                                     // [kg] that is left over, among what the faces owe
   double push(const Solver&, int face, int k, double raft) const;  // [m3/s2] per unit width and density
   void drive_strip(const Solver&, const RimFace&, int first, int last, SegmentDrive&) const;  // of shadows; cells [first, last)
   void find_layer(const Grains&);
   void show(const Grains&, Solver&, bool moving);  // in the covered cells
-  void settle_departed(int face, int segment);
+  void let_go_of_layer();
+  void note_driven(const NewGrain&);
+  bool is_beside_sliding_face(const Vec&) const;
+  double speed_along_x(int face, double raft) const;  // [m/s] of a driven layer
   Conveyor::Occupied occupied(int face, const std::vector<NewGrain>& inserted) const;
   friend class RimMover;  // zone_move.cpp
 
-  static constexpr double steepest_ = 0.5;  // least ratio of normal to tangential velocity that a raft carries in
+  static constexpr double steepest_ = 0.5;  // least ratio of normal to tangential velocity that a raft carries in ...
+  static constexpr double grazes_ = -0.01, leaves_ = -0.05;  // ... that slides along its face: to begin, to go on
 
   ZoneSettings settings_;
   Grid grid_;
@@ -123,8 +134,9 @@ class Zone {
   CoarseGrained field_;
   std::vector<std::int64_t> remove_;
   std::vector<NewGrain> layer_;  // driven grains after the last window, for the overlap test
-  double lent_ = 0;              // [kg] the driven layers' first filling
-  double lent_momentum_ = 0;     // [N s] along x, of it
+  std::vector<NewGrain> beside_;  // free grains at faces that slide, for it, too
+  Loan lent_;                    // the driven layers' first filling
+  std::vector<Loan> by_ends_;    // [face] what came into its driven layer by the ends, and has not left by them
   double remainder_ = 0;         // [kg] left over from filling with whole grains
   std::int64_t next_id_ = 1, steps_ = 0;
   double window_ = 0;  // [s]
@@ -132,7 +144,9 @@ class Zone {
   bool fresh_ = false;               // no window yet
   bool closed_ = false;              // at rest
   int covered_ = -1;                 // the solver's number of the zone
-  std::int64_t own_from_ = 0;        // driven grains below this id were not laid by the conveyors that stand there now
+  std::vector<double> slide_, slid_;  // [face] of its rafts along it [m/s], in the last window [m]
+  std::vector<char> face_of_driven_;  // by id, of grains that are or were driven
+  std::int64_t own_from_ = 0;         // driven grains below this id were not laid by the conveyors that stand there now
   std::vector<RimMove> move_;        // to tell the engine
   std::vector<NewGrain> move_fill_;  // with it
 };

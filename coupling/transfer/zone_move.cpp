@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 #include <unordered_set>
 
 #include "coupling/transfer/fill.hpp"
@@ -45,10 +46,9 @@ class RimMover {
     for (const RimFace& face : now_.rim_.faces()) now_.move_.back().faces.push_back(face.drive);
     std::sort(now_.remove_.begin(), now_.remove_.end());
     now_.remove_.erase(std::unique(now_.remove_.begin(), now_.remove_.end()), now_.remove_.end());
-    now_.lent_ += lent_;
-    now_.lent_momentum_ = before_.lent_momentum_ + lent_momentum_;
+    now_.lent_.lend(lent_.mass, lent_.momentum);
     now_.remainder_ += excess_;
-    moved_.left_over = excess_ - lent_;
+    moved_.left_over = excess_ - lent_.mass;
     now_.share_out(moved_.left_over);
     return moved_;
   }
@@ -67,6 +67,7 @@ class RimMover {
     now_.window_ = before_.window_;
     now_.remove_ = before_.remove_;
     now_.handback_.inherit(before_.handback_);
+    now_.face_of_driven_ = before_.face_of_driven_;
   }
 
   // Parcels, debts and rafts of faces that stay in their plane; all else is left over.
@@ -74,6 +75,9 @@ class RimMover {
     for (int f = 0; f < int(before_.rim_.faces().size()); ++f) {
       const RimFace& old = before_.rim_.faces()[f];
       const int g = same_plane(old);
+      if (g >= 0) longer_.insert(g);
+      (g < 0 ? now_.lent_ : now_.by_ends_[g]).lend(before_.by_ends_[f].mass, before_.by_ends_[f].momentum);
+      if (g >= 0) now_.slide_[g] = before_.slide_[f], now_.slid_[g] = before_.slid_[f];
       for (int k = 0; k < old.cells; ++k) {
         const Parcel& parcel = before_.handback_.pending()[f][k];
         const int to = g < 0 ? -1 : cell_on(g, before_.rim_.outside_cell(old, k));
@@ -100,7 +104,7 @@ class RimMover {
         const int from = cell_of(old, before_.rim_, now_.rim_.outside_cell(face, (first + past) / 2));
         if (from < 0) continue;
         const int was = old.segment_of_cell(from);
-        now_.conveyors_[g].go_to(s, before_.conveyors_[f].position(was));
+        now_.conveyors_[g].go_on(s, before_.conveyors_[f], was);
         now_.segments_[g][s] = before_.segments_[f][was];
       }
     }
@@ -186,10 +190,11 @@ class RimMover {
     moved_.opened += mass;
   }
 
-  void lend(double mass, const Vec& p, const Vec& velocity) {
-    lent_ += mass;
-    lent_momentum_ +=
-        mass * now_.surface_->tangent(now_.surface_->to_surface({p[0], p[1], p[2]}).x).dot(Eigen::Vector3d::Map(velocity.data()));
+  // The layer of a face that has moved is paid by what the old one, now free, had been given; that of a face that has only become
+  // longer is new.
+  void lend(int face, double mass, const Vec& p, const Vec& velocity) {
+    const Eigen::Vector3d tangent = now_.surface_->tangent(now_.surface_->to_surface({p[0], p[1], p[2]}).x);
+    (longer_.contains(face) ? now_.by_ends_[face] : lent_).lend(mass, mass * tangent.dot(Eigen::Vector3d::Map(velocity.data())));
   }
 
   void sort_grains() {
@@ -211,10 +216,12 @@ class RimMover {
         if (!counted) now_.handback_.unmark_shadow(id), excess_ -= mass;
       } else if (at.inflow && at.distance >= -now_.rim_.layer()) {
         rim_.driven.push_back({id, at.face, at.segment});
-        now_.layer_.push_back({id, p, {}, grains_.radius[k], at.face, at.segment});
+        now_.layer_.push_back(
+            {id, p, {grains_.vx[k], grains_.vy[k], grains_.vz[k]}, grains_.radius[k], at.face, at.segment});
+        now_.note_driven(now_.layer_.back());
         if (!counted) now_.handback_.unmark_shadow(id);
         if (counted && !driven) give_to_flow(k, mass);
-        if (!counted || !driven) lend(mass, p, {grains_.vx[k], grains_.vy[k], grains_.vz[k]});
+        if (!counted || !driven) lend(at.face, mass, p, {grains_.vx[k], grains_.vy[k], grains_.vz[k]});
       } else {
         if (counted) {
           driven ? void(excess_ += mass) : give_to_flow(k, mass);
@@ -277,7 +284,8 @@ class RimMover {
         } else if (at.inflow) {
           if (at.distance < -now_.rim_.layer()) continue;
           g.face = at.face, g.segment = at.segment;
-          lend(mass, g.position, g.velocity);
+          now_.note_driven(g);
+          lend(at.face, mass, g.position, g.velocity);
         } else {
           now_.handback_.mark_shadow(g.id);
         }
@@ -296,8 +304,9 @@ class RimMover {
   GrainBins bins_{1.25 * now_.settings_.rim.diameter};
   std::map<Cell, FlowState> opened_;
   RimMove rim_;
-  double excess_ = 0, lent_ = 0;  // [kg]
-  double lent_momentum_ = 0;      // [N s]
+  double excess_ = 0;  // [kg]
+  Zone::Loan lent_;
+  std::set<int> longer_;  // faces that stay in their plane
   Zone::Moved moved_;
 };
 

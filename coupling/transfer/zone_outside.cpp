@@ -13,7 +13,7 @@ void Zone::look_outside(const Solver& solver) {
   const double still = 1e-3 * std::sqrt(settings_.gravity * settings_.rim.diameter);
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
     const RimFace& face = rim_.faces()[f];
-    double all_h = 0, all_hn = 0;
+    double all_h = 0, all_hn = 0, all_ha = 0;
     for (int s = 0; s < face.segments; ++s) {
       double h = 0, hn = 0, ha = 0;
       const auto [first, last] = face.cells_of_segment(s);
@@ -30,19 +30,26 @@ void Zone::look_outside(const Solver& solver) {
       if (segment.depth <= least && !closed_) continue;  // the last flow's velocity carries its driven grains in
       segment.along = h > 0 ? ha / h : 0;
       segment.fast_outflow = hn < -2 * h * std::sqrt(settings_.gravity * segment.depth);
-      // A flow that slides along the face is not drawn in: its driven layer would leave the face sideways before it came in.
       const bool before = segment.inflow;
-      segment.inflow = !closed_ && hn > still * h && hn > steepest_ * std::abs(ha);
-      if (segment.inflow) all_h += h, all_hn += hn;
+      segment.inflow = !closed_ && std::hypot(hn, ha) > still * h && carried(face, segment, hn, ha);
+      if (segment.inflow) all_h += h, all_hn += hn, all_ha += ha;
       // A raft starts with its flow: one that had to be pushed into motion would dam it up first.
       if (segment.inflow != before) segment.raft = segment.rate = segment.inflow ? hn / h : 0;
     }
     // One velocity for the face's free inflow, so that neighbouring rafts keep step and do not shear their grains into each
     // other; the depths differ, so the flow that each cell gives still does.
-    if (all_h > 0)
-      for (Segment& segment : segments_[f])
-        if (segment.inflow) segment.normal = all_hn / all_h;
+    if (all_h == 0) continue;
+    slide_[f] = face.slides ? all_ha / all_h : 0;
+    for (Segment& segment : segments_[f])
+      if (segment.inflow) segment.normal = all_hn / all_h;
   }
+}
+
+// A flow that runs along a face must not find it open: what stands inside would spread. A raft goes along with it, to where it
+// clearly leaves. A face that cannot slide draws in only what is steep: its driven layer would lag behind.
+bool Zone::carried(const RimFace& face, const Segment& segment, double normal, double along) const {
+  if (!face.slides) return normal > steepest_ * std::abs(along) && normal > 0;
+  return normal > (segment.inflow ? leaves_ : grazes_) * std::abs(along);
 }
 
 double Zone::push(const Solver& solver, int f, int k, double raft) const {

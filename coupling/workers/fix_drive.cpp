@@ -10,6 +10,11 @@ double dot(const Vec& a, const double* b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+double place_along(const DriveFace& face, const double* x) {
+  return (x[0] - face.origin[0]) * face.along[0] + (x[1] - face.origin[1]) * face.along[1] +
+         (x[2] - face.origin[2]) * face.along[2];
+}
+
 }  // namespace
 
 FixDrive::FixDrive(LAMMPS_NS::LAMMPS* lmp, int n, char** words) : Fix(lmp, n, words) {
@@ -49,6 +54,7 @@ void FixDrive::begin_window(const AdvanceRequest& request) {
     for (const SegmentDrive& drive : face) rafts_[next++].drive = drive;
   }
   note_exits();
+  regroup();
   for (Raft& raft : rafts_) {
     const SegmentDrive& d = raft.drive;
     raft.displacement = raft.force = 0;
@@ -89,6 +95,16 @@ void FixDrive::move_rim(const RimMove& move) {
   }
 }
 
+// What has slid into another segment goes on with that one's raft.
+void FixDrive::regroup() {
+  if (std::none_of(rafts_.begin(), rafts_.end(), [](const Raft& raft) { return raft.drive.slide != 0; })) return;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (raft_[i] == free_grain || rafts_[static_cast<std::size_t>(raft_[i])].drive.slide == 0) continue;
+    const int f = rafts_[static_cast<std::size_t>(raft_[i])].face;
+    raft_[i] = raft_of(f, segment_at(faces_[static_cast<std::size_t>(f)], atom->x[i]));
+  }
+}
+
 void FixDrive::note_exits() {
   any_exit_ = std::any_of(rafts_.begin(), rafts_.end(), [](const Raft& raft) { return raft.drive.exit_active; });
 }
@@ -97,7 +113,7 @@ Vec FixDrive::raft_velocity(int r) const {
   const Raft& raft = rafts_[static_cast<std::size_t>(r)];
   const DriveFace& face = faces_[static_cast<std::size_t>(raft.face)];
   Vec v;
-  for (int k = 0; k < 3; ++k) v[k] = raft.velocity * face.inward[k];
+  for (int k = 0; k < 3; ++k) v[k] = raft.velocity * face.inward[k] + raft.drive.slide * face.along[k];
   return v;
 }
 
@@ -137,12 +153,16 @@ double FixDrive::distance(const DriveFace& face, const double* x) const {
          (x[2] - face.origin[2]) * face.inward[2];
 }
 
+int FixDrive::segment_at(const DriveFace& face, const double* x) const {
+  return std::clamp(static_cast<int>(std::floor(place_along(face, x) / face.segment_width)), 0, face.segments - 1);
+}
+
 void FixDrive::release(int i) {
   const Raft& raft = rafts_[static_cast<std::size_t>(raft_[i])];
   const DriveFace& face = faces_[static_cast<std::size_t>(raft.face)];
   raft_[i] = free_grain;
   Vec freed;
-  for (int k = 0; k < 3; ++k) freed[k] = atom->v[i][k] + raft.drive.along * face.along[k];
+  for (int k = 0; k < 3; ++k) freed[k] = atom->v[i][k] + (raft.drive.along - raft.drive.slide) * face.along[k];
   add_jump(atom->rmass[i], {atom->v[i][0], atom->v[i][1], atom->v[i][2]}, freed);
   std::copy(freed.begin(), freed.end(), atom->v[i]);
 }
@@ -197,10 +217,9 @@ bool FixDrive::strip_velocity(const double* x, Vec& velocity) const {
     const DriveFace& face = faces_[f];
     const double d = distance(face, x);
     if (d < -face.strip_end || d > -face.strip_begin) continue;
-    const double s = (x[0] - face.origin[0]) * face.along[0] + (x[1] - face.origin[1]) * face.along[1] +
-                     (x[2] - face.origin[2]) * face.along[2];
+    const double s = place_along(face, x);
     if (s < -edge_ || s > face.segments * face.segment_width + edge_) continue;
-    const int segment = std::clamp(static_cast<int>(std::floor(s / face.segment_width)), 0, face.segments - 1);
+    const int segment = segment_at(face, x);
     const SegmentDrive& drive = rafts_[static_cast<std::size_t>(raft_of(static_cast<int>(f), segment))].drive;
     if (!drive.exit_active) continue;
     velocity = drive.exit_velocity;

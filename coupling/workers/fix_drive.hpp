@@ -5,7 +5,7 @@
 //   f  = contacts + weight
 //   release     distance >= 0: free for good
 //   raft        u <- u + dt (sum f.n + push) / m, clipped to [least, most]
-//   set         v = u n; f, torque, spin = 0: the integrator's kicks do nothing
+//   set         v = u n + slide along; f, torque, spin = 0: the integrator's kicks do nothing
 //
 // Which raft a grain belongs to is kept with the grain and moves with it between ranks.
 
@@ -59,7 +59,9 @@ class FixDrive : public LAMMPS_NS::Fix {
 
  private:
   double distance(const DriveFace&, const double* x) const;
+  int segment_at(const DriveFace&, const double* x) const;
   void move_rim(const RimMove&);
+  void regroup();
   void release(int local);
   void release_and_sum();
   void move_rafts();

@@ -21,7 +21,7 @@ namespace couloir {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x31455649'52444c43;  // "CLDRIVE1"
+constexpr std::uint64_t magic = 0x32455649'52444c43;  // "CLDRIVE2"
 
 template <class T>
 void put(std::ostream& out, const T& value) {
@@ -130,7 +130,7 @@ std::string SideFile::bytes() const {
   for (const FixDrive::Raft& raft : rafts) {
     const SegmentDrive& d = raft.drive;
     for (const double value : {raft.velocity, raft.mass, d.push, d.most, d.least, d.along, d.least_mass,
-                               d.exit_active ? 1.0 : 0.0, d.exit_velocity[0], d.exit_velocity[1], d.exit_velocity[2]}) {
+                               d.slide, d.exit_active ? 1.0 : 0.0, d.exit_velocity[0], d.exit_velocity[1], d.exit_velocity[2]}) {
       put(out, value);
     }
   }
@@ -153,7 +153,7 @@ SideFile SideFile::read(const std::string& path, const std::vector<DriveFace>& f
   side.rafts.resize(rafts);
   for (FixDrive::Raft& raft : side.rafts) {
     SegmentDrive& d = raft.drive;
-    for (double* value : {&raft.velocity, &raft.mass, &d.push, &d.most, &d.least, &d.along, &d.least_mass})
+    for (double* value : {&raft.velocity, &raft.mass, &d.push, &d.most, &d.least, &d.along, &d.least_mass, &d.slide})
       *value = get<double>(in);
     d.exit_active = get<double>(in) != 0;
     for (double& value : d.exit_velocity) value = get<double>(in);

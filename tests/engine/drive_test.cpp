@@ -137,6 +137,43 @@ TEST_P(Raft, AFreedGrainTakesTheVelocityAlongTheFace) {
   EXPECT_DOUBLE_EQ(a.grains.vy[0], 0.03);
 }
 
+// Along the face a layer slides as one; what has slid into another segment goes on with that one's raft.
+TEST_P(Raft, SlidesAlongItsFaceAndIsTakenOverByTheNextSegment) {
+  Folder folder;
+  EngineSetup setup = channel(folder.path, 0, 2);
+  setup.gravity = {0, 0, 0};
+  WorkerEngine engine(worker());
+  engine.start(setup);
+  const double slide = 0.1, first = 0.1, second = 0.15, along = 0.03;
+  AdvanceRequest request = steps(1);
+  const double y = width / 2 - 0.2 * d;
+  request.insert = {{1, {-3 * d, y, 2 * d}, {first, slide, 0}, 0.5 * d, 0, 0}};
+  request.drives = {
+      {{1, first, first, along, 0, false, {}, slide}, {1, second, second, along, 0, false, {}, slide}}};
+  engine.advance(request);
+  const auto weight = mass(0.5 * d);
+  const int to_cross = int(0.3 * d / slide / setup.timestep);
+  Advanced a = engine.advance(steps(to_cross));
+  EXPECT_NEAR(a.grains.y[0], y + (to_cross + 1) * setup.timestep * slide, 1e-15);
+  EXPECT_NEAR(a.grains.x[0], -3 * d + (to_cross + 1) * setup.timestep * first, 1e-15);
+  EXPECT_EQ(a.grains.vx[0], first) << "until the next advance";
+  EXPECT_NEAR(a.drive_impulse[0], 0, 1e-15);
+
+  a = engine.advance(steps(10));
+  EXPECT_EQ(a.grains.vx[0], second);
+  EXPECT_EQ(a.grains.vy[0], slide);
+  EXPECT_NEAR(a.segments[0][1].mass, weight, 1e-15);
+  EXPECT_EQ(a.segments[0][0].mass, 0);
+  EXPECT_NEAR(a.drive_impulse[0], weight * (second - first), 1e-15);
+  EXPECT_NEAR(a.drive_impulse[1], 0, 1e-15);
+
+  a = engine.advance(steps(int(4 * d / second / setup.timestep)));
+  EXPECT_FALSE(a.grains.driven[0]);
+  EXPECT_DOUBLE_EQ(a.grains.vx[0], second);
+  EXPECT_DOUBLE_EQ(a.grains.vy[0], along);
+  EXPECT_NEAR(a.drive_impulse[1], weight * (along - slide), 1e-15);
+}
+
 // Grains stand jammed between the face and a wall: a raft with a finite push must stop, one with imposed velocity would not.
 TEST_P(Raft, IsStoppedByGrainsInItsWay) {
   Folder folder;

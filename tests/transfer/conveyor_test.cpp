@@ -34,7 +34,7 @@ TEST(Conveyor, LedgerClosesToRoundOffAndDoesNotDrift) {
       const int first = s * b.face.cells_per_segment, cells = std::min(b.face.cells, first + b.face.cells_per_segment) - first;
       const double mass = b.table.bulk_density() * h * ds * cells * b.face.cell_width;
       given += mass;
-      b.conveyor.advance(s, ds, mass, depth, 1.3, never, b.next_id, out);
+      b.conveyor.advance(s, {ds, mass, 1.3}, depth, never, b.next_id, out);
     }
     for (const NewGrain& g : out) taken += b.table.grain_mass(g.radius);
     EXPECT_NEAR(given, taken + b.conveyor.owed(), 1e-12 * given);
@@ -48,7 +48,7 @@ TEST(Conveyor, GrainsEnterBehindTheLayerWithTheRaftsVelocity) {
   Bench b;
   std::vector<NewGrain> out;
   std::vector<double> depth(b.face.cells, 0.02);
-  b.conveyor.advance(0, 0.01, b.table.bulk_density() * 0.02 * 0.01 * b.face.drive.segment_width, depth, 1.3, never, b.next_id,
+  b.conveyor.advance(0, {0.01, b.table.bulk_density() * 0.02 * 0.01 * b.face.drive.segment_width, 1.3}, depth, never, b.next_id,
                      out);
   ASSERT_FALSE(out.empty());
   for (const NewGrain& g : out) {
@@ -67,7 +67,7 @@ TEST(Conveyor, ARejectedGrainStaysOwed) {
   std::vector<NewGrain> out;
   std::vector<double> depth(b.face.cells, 0.02);
   b.conveyor.advance(
-      0, 0.01, 0.3, depth, 1, [](int, const Vec&, double) { return true; }, b.next_id, out);
+      0, {0.01, 0.3, 1}, depth, [](int, const Vec&, double) { return true; }, b.next_id, out);
   EXPECT_TRUE(out.empty());
   EXPECT_DOUBLE_EQ(b.conveyor.owed(), 0.3);
 }
@@ -75,7 +75,7 @@ TEST(Conveyor, ARejectedGrainStaysOwed) {
 TEST(Conveyor, AStandingRaftSendsNothing) {
   Bench b;
   std::vector<NewGrain> out;
-  b.conveyor.advance(0, 0, 0, std::vector<double>(b.face.cells, 0.02), 0, never, b.next_id, out);
+  b.conveyor.advance(0, {}, std::vector<double>(b.face.cells, 0.02), never, b.next_id, out);
   EXPECT_TRUE(out.empty());
 }
 
@@ -88,7 +88,7 @@ TEST(Conveyor, SuccessiveGrainsKeepTheBlocksDistances) {
   for (int w = 0; w < 120; ++w) {
     const std::size_t before = all.size();
     s += ds;
-    b.conveyor.advance(0, ds, b.table.bulk_density() * 0.03 * ds * b.face.drive.segment_width, depth, 0, never, b.next_id, all);
+    b.conveyor.advance(0, {ds, b.table.bulk_density() * 0.03 * ds * b.face.drive.segment_width}, depth, never, b.next_id, all);
     for (std::size_t n = before; n < all.size(); ++n) shift.push_back(s);
   }
   // Brought to one instant, no two grains overlap.
@@ -122,7 +122,7 @@ TEST(Conveyor, NoGrainComesInWithAWallInIt) {
     for (int window = 0; window < 400; ++window)
       for (int s = 0; s < face.segments; ++s) {
         const int first = s * face.cells_per_segment, cells = std::min(face.cells, first + face.cells_per_segment) - first;
-        conveyor.advance(s, ds, table.bulk_density() * h * ds * cells * face.cell_width, std::vector<double>(face.cells, h), 1,
+        conveyor.advance(s, {ds, table.bulk_density() * h * ds * cells * face.cell_width, 1}, std::vector<double>(face.cells, h),
                          never, next_id, out);
       }
     return out;
@@ -135,6 +135,53 @@ TEST(Conveyor, NoGrainComesInWithAWallInIt) {
   double taken = 0;
   for (const NewGrain& g : out) taken += table.grain_mass(g.radius);
   EXPECT_NEAR(taken / (table.bulk_density() * h * ds * 400 * width), 1, 0.01);
+}
+
+// The layer of an oblique flow is one body: what comes by the plane and what by the end fit together, and each brings its share.
+TEST(Conveyor, ALayerThatSlidesIsFilledThroughItsEndToo) {
+  const PackingTable table{lattice_packing(), 2500};
+  const auto surface = ReferenceSurface::flat(0.4);
+  const Rim rim(grid, {20, 40, 2, 8}, surface, {.diameter = 0.005});
+  const RimFace& face = rim.faces()[0];
+  ASSERT_TRUE(face.slides);
+  for (const double direction : {1.0, -1.0}) {
+    Conveyor conveyor(face, 0, table, rim.layer());
+    const double h = 0.03, ds = 0.0006, da = direction * 0.0009;
+    const std::vector<double> depth(face.cells, h);
+    const int first = direction > 0 ? 0 : face.segments - 1;
+    std::int64_t next_id = 1;
+    std::vector<NewGrain> all;
+    std::vector<int> born;
+    double given = 0, by_end = 0, taken = 0;
+    const int windows = 200;
+    for (int w = 0; w < windows; ++w) {
+      conveyor.slide(da);
+      const std::size_t before = all.size();
+      for (int s = 0; s < face.segments; ++s) {
+        const auto [low, high] = face.reach_of_segment(s);
+        const double mass = table.bulk_density() * h * ds * (high - low);
+        given += mass;
+        by_end += conveyor.advance(s, {ds, mass, 0.6, 0.9 * direction, s == first}, depth, never, next_id, all);
+      }
+      for (std::size_t n = before; n < all.size(); ++n) {
+        EXPECT_EQ(all[n].velocity[1], 0.9 * direction);
+        const double along = face.along(all[n].position), distance = face.distance(all[n].position);
+        EXPECT_TRUE(along >= 0 && along < face.extent() && distance >= -rim.layer() - 1e-12 && distance < 0);
+      }
+      born.resize(all.size(), w);
+    }
+    for (const NewGrain& g : all) taken += table.grain_mass(g.radius);
+    EXPECT_NEAR(given + by_end, taken + conveyor.owed(), 1e-12 * given);
+    EXPECT_NEAR(by_end / (table.bulk_density() * h * std::abs(da) * windows * (rim.layer() - ds)), 1, 0.03);
+    EXPECT_NEAR((taken - by_end) / given, 1, 0.01);
+    for (std::size_t a = 0; a < all.size(); ++a)
+      for (std::size_t b = a + 1; b < all.size(); ++b) {
+        const double later = born[b] - born[a];
+        const double dx = all[a].position[0] + later * ds - all[b].position[0];
+        const double dy = all[a].position[1] + later * da - all[b].position[1], dz = all[a].position[2] - all[b].position[2];
+        ASSERT_GT(std::sqrt(dx * dx + dy * dy + dz * dz), 0.98 * (all[a].radius + all[b].radius));
+      }
+  }
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ from yade.minieigenHP import Vector3
 from . import messages
 from .drive import Member
 
-LAYOUT = "couloir yade 2"
+LAYOUT = "couloir yade 3"
 
 
 def save(session, path):
@@ -26,8 +26,8 @@ def save(session, path):
         "driven": driven, "rafts": rafts, "keys": np.array([keys[i] for i in driven.tolist()]),
         "held": np.array(sorted(drive.held), np.int64),
         "raft_state": np.array([[r.velocity, r.travel] for r in drive.rafts]).reshape(-1, 2),
-        "drives": np.array([[d.push, d.most, d.least, d.along, d.least_mass, d.exit_active, *d.exit_velocity]
-                            for d in (r.drive for r in drive.rafts)], float).reshape(-1, 9),
+        "drives": np.array([[d.push, d.most, d.least, d.along, d.least_mass, d.exit_active, *d.exit_velocity, d.slide]
+                            for d in (r.drive for r in drive.rafts)], float).reshape(-1, 10),
     }
     try:
         with open(path + ".drive.part", "wb") as out:
@@ -68,9 +68,9 @@ def restore_drive(session, side):
         return Member(id, body, float(book.mass[row]), O.bodies[body].state, key)
 
     for raft, (velocity, travel), d in zip(drive.rafts, side["raft_state"].tolist(), side["drives"].tolist()):
-        raft.drive = messages.Drive(*d[:5], bool(d[5]), tuple(d[6:]))
+        raft.drive = messages.Drive(*d[:5], bool(d[5]), tuple(d[6:9]), d[9])
         raft.velocity, raft.travel = velocity, travel
-        raft.mover.velocity = velocity
+        raft.steer()
     for id, raft, key in zip(side["driven"].tolist(), side["rafts"].tolist(), side["keys"].tolist()):
         drive.rafts[raft].members.append(member(id, key))
     for raft in drive.rafts:

@@ -4,7 +4,7 @@
     f  = contacts
     release     distance >= 0: free for good
     raft        u <- u + dt (sum (f + m g).n + push) / m, clipped to [least, most]
-    set         v = u n for the next drift; the grains' degrees of freedom are blocked, so the integrator leaves them alone
+    set         v = u n + slide along for the next drift; the grains' degrees of freedom are blocked, so the integrator leaves them alone
 
 A raft is moved by a TranslationEngine and its forces are summed by a ForceRecorder, both C++ over a list of bodies: a step costs
 the same however many grains a raft has. Grains of a strip keep the velocity they are given, since nothing else changes it.
@@ -43,6 +43,23 @@ class Raft:
 
     def distance(self, position):
         return (position - self.origin).dot(self.inward)
+
+    def place(self, position):
+        """The segment of its face."""
+        s = (position - self.origin).dot(self.along)
+        return min(max(int(s // self.face.segment_width), 0), self.face.segments - 1)
+
+    def course(self):
+        return self.velocity * self.inward + self.drive.slide * self.along
+
+    def steer(self):
+        """After the course has changed."""
+        if self.drive.slide == 0:
+            self.mover.translationAxis, self.mover.velocity = self.inward, self.velocity
+            return
+        course = self.course()
+        speed = course.norm()
+        self.mover.translationAxis, self.mover.velocity = course / speed, speed
 
     def settle_members(self):
         """After members came or went."""
@@ -109,10 +126,32 @@ class Drive:
         if rim_move:
             self._move_rim(*rim_move)
         for raft, drive in zip(self.rafts, [d for face in drives for d in face]):
+            self._jump = self._jump + raft.mass * (drive.slide - raft.drive.slide) * raft.along
             raft.drive = drive
+        self._regroup()
         for raft in self.rafts:
             raft.displacement = raft.force = 0.0
             self._set_speed(raft, raft.speed(raft.velocity))
+
+    def _regroup(self):
+        """What has slid into another segment goes on with that one's raft."""
+        changed = []
+        for first, face in zip(self.first_raft, self.faces):
+            own = self.rafts[first:first + face.segments]
+            if len(own) < 2 or not any(raft.drive.slide for raft in own):
+                continue
+            for raft in own:
+                for m in raft.members if raft.drive.slide else []:
+                    to = self.rafts[first + raft.place(m.state.pos)]
+                    if to is not raft:
+                        changed.append((raft, to, m))
+        for raft, to, m in changed:
+            raft.members.remove(m)
+            m.key = to.distance(m.state.pos) - to.travel
+            to.members.append(m)
+            self._jump = self._jump + m.mass * (to.course() - raft.course())
+        for raft in {r for raft, to, _ in changed for r in (raft, to)}:
+            raft.settle_members()
 
     def _move_rim(self, faces, members, places, take_movers):
         """Onto new faces; members belong to the rafts at `places`, all others that were driven are free."""
@@ -151,7 +190,7 @@ class Drive:
         """A new grain of a raft; velocity: as it was given."""
         member.state.blockedDOFs = FIXED
         member.key = raft.distance(member.state.pos) - raft.travel
-        self._jump = self._jump + member.mass * (raft.velocity * raft.inward - velocity)
+        self._jump = self._jump + member.mass * (raft.course() - velocity)
         raft.members.append(member)
 
     def watch(self, ids, bodies, mass, states, steps, body_of):
@@ -211,7 +250,8 @@ class Drive:
     def _set_speed(self, raft, speed):
         if raft.members:
             self._jump = self._jump + raft.mass * (speed - raft.velocity) * raft.inward
-        raft.velocity = raft.mover.velocity = speed
+        raft.velocity = speed
+        raft.steer()
 
     def _release(self, raft):
         while raft.members and raft.distance(raft.members[-1].state.pos) >= 0:
@@ -220,10 +260,9 @@ class Drive:
 
     def _release_last(self, raft):
         m = raft.members.pop()
-        aside = raft.drive.along * raft.along
-        m.state.vel = raft.velocity * raft.inward + aside
+        m.state.vel = raft.velocity * raft.inward + raft.drive.along * raft.along
         m.state.blockedDOFs = self._free
-        self._jump = self._jump + m.mass * aside
+        self._jump = self._jump + m.mass * (raft.drive.along - raft.drive.slide) * raft.along
 
     def _look(self):
         """Who is in a strip now?"""

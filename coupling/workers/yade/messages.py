@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import msgpack
 import numpy as np
 
-VERSION = 7
+VERSION = 8
 HELLO, START, STARTED, ADVANCE, CHECKPOINT, STOP, DONE, HEARTBEAT, ADVANCED, FAILED = range(10)
 CONTACT_LAWS = ("hertz", "kelvin_voigt")
 ROTATIONS = ("free", "blocked", "control")
@@ -98,6 +98,7 @@ class Drive:
     least_mass: float = 0.0
     exit_active: bool = False
     exit_velocity: tuple = (0.0, 0.0, 0.0)
+    slide: float = 0.0
 
 
 @dataclass

@@ -85,6 +85,6 @@ def check_drives(drives, faces, needed):
         raise Refused("the drives given are not one for each segment of each face")
     for f, face in enumerate(drives):
         for d in face:
-            if not d.least <= d.most or not np.isfinite([d.push, d.along, *d.exit_velocity]).all():
+            if not d.least <= d.most or not np.isfinite([d.push, d.along, d.slide, *d.exit_velocity]).all():
                 raise Refused(f"face {f} has a drive with velocities {d.least:g}..{d.most:g} m/s and push {d.push:g} N, which is "
                               "not possible")

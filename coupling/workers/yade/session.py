@@ -153,7 +153,7 @@ class Session:
         """All grains, those of rafts with the velocity that their raft has now."""
         states = self.book.states()
         ids, rafts = self.drive.driven_ids()
-        velocities = np.array([raft.velocity * raft.face.inward for raft in self.drive.rafts]).reshape(-1, 3)
+        velocities = np.array([messages.vector(raft.course()) for raft in self.drive.rafts]).reshape(-1, 3)
         rows = self.book.rows(ids)
         states[rows, VELOCITY] = velocities[rafts]
         states[rows, SPIN] = 0
