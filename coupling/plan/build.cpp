@@ -209,6 +209,13 @@ double engine_timestep(const Scene& scene, double grain_density) {
   return scene.grains.timestep > 0 ? scene.grains.timestep : stable_timestep(scene, grain_density);
 }
 
+double impact_overlap(const Scene& scene, double speed) {
+  const GrainMaterial& m = scene.material.grain;
+  const double stiffness = m.youngs_modulus / (2 * (1 - m.poisson_ratio * m.poisson_ratio));
+  const double ratio = expected_grain_density(scene) * speed * speed / stiffness;
+  return 0.5 * std::pow(5 * std::numbers::pi * std::numbers::sqrt2 / 8 * ratio, 0.4);
+}
+
 double mean_grain_volume(const GrainSpec& grains) {
   const double d = grains.diameter, s = grains.spread;
   return std::numbers::pi / 6 * d * d * d * (1 + s * s);

@@ -38,6 +38,10 @@ GrainStiffness grain_stiffness(const Scene&, double grain_density);
 double stable_timestep(const Scene&, double grain_density);
 double engine_timestep(const Scene&, double grain_density);
 
+// [d] by which two of the scene's grains that meet at `speed` [m/s] overlap, by Hertz:
+// (5 pi sqrt(2) / 8 rho v^2 / E*)^0.4 / 2. Source: Johnson, Contact Mechanics, eq. 11.25, for equal spheres.
+double impact_overlap(const Scene&, double speed);
+
 // [m3] mean volume of a grain: radii uniform within +-spread of the mean.
 double mean_grain_volume(const GrainSpec&);
 

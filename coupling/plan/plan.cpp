@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "continuum/isa/isa.hpp"
 #include "coupling/plan/build.hpp"
@@ -190,13 +189,8 @@ void warn_of_hand_set(const Scene& scene, const auto& say) {
                     fmt::join(other, ", "), scene.material.calibration));
 }
 
-// Two spheres that meet at a speed v, by Hertz, overlap by (5 pi sqrt(2) / 8 rho v^2 / E*)^0.4 / 2 of a diameter.
 void warn_of_impacts(const Plan& plan, const Scene& scene, const auto& say) {
-  const GrainMaterial& m = scene.material.grain;
-  const double speed = std::max(plan.at_obstacle.velocity, scene.release.speed());
-  const double stiffness = m.youngs_modulus / (2 * (1 - m.poisson_ratio * m.poisson_ratio));
-  const double ratio = expected_grain_density(scene) * speed * speed / stiffness;
-  const double overlap = 0.5 * std::pow(5 * std::numbers::pi * std::numbers::sqrt2 / 8 * ratio, 0.4);
+  const double speed = std::max(plan.at_obstacle.velocity, scene.release.speed()), overlap = impact_overlap(scene, speed);
   if (overlap > 0.25)
     say(fmt::format(
         "Grains at {:.3g} m/s overlap by about {:.2g} of a diameter when they meet: they are too soft for that; raise "
@@ -211,7 +205,8 @@ void warn_of_places(const Plan& plan, const Scene& scene, const auto& say) {
     say("The shallow model holds at every obstacle: mode continuum would do. The zones are around all of them.");
   for (const ObstacleSpec& o : scene.obstacles) {
     if (any_holds(plan.zones, o)) continue;
-    const bool holds = shallow_verdict(scene, o).holds();
+    const auto holds = std::ranges::any_of(
+        plan.shallow, [&](const ShallowVerdict& v) { return v.obstacle && v.place == o.name && v.holds(); });
     say(fmt::format("{} lies outside the zone: the continuum flows around it{}.", o.name,
                     holds ? ", as the shallow model holds there" : ""));
   }

@@ -91,7 +91,7 @@ class Zone {
   }
 
  private:
-  struct Loan {  // of mass that is among the grains, though the flow has not given it
+  struct Loan {                     // of mass that is among the grains, though the flow has not given it
     double mass = 0, momentum = 0;  // [kg], [N s] along x
     void lend(double m, double p) { mass += m, momentum += p; }
     double repay(double m);  // returns [kg] what is more than was lent
@@ -106,7 +106,7 @@ class Zone {
   };
   void look_outside(const Solver&);
   bool carried(const RimFace&, const Segment&, double normal, double along) const;  // by a raft
-  bool open_end(int face, int segment) const;  // no raft stands beyond the end from which the segment slides
+  bool open_end(int face, int segment) const;                      // no raft stands beyond the end from which the segment slides
   void share_out(double mass);                                     // [kg] that is left over, among what the faces owe
   double push(const Solver&, int face, int k, double raft) const;  // [m3/s2] per unit width and density
   void drive_strip(const Solver&, const RimFace&, int first, int last, SegmentDrive&) const;  // of shadows; cells [first, last)
@@ -133,22 +133,22 @@ class Zone {
   std::vector<std::vector<double>> imposed_;  // [face][cell] inward [m2/s] drawn in by rafts in this window
   CoarseGrained field_;
   std::vector<std::int64_t> remove_;
-  std::vector<NewGrain> layer_;  // driven grains after the last window, for the overlap test
+  std::vector<NewGrain> layer_;   // driven grains after the last window, for the overlap test
   std::vector<NewGrain> beside_;  // free grains at faces that slide, for it, too
-  Loan lent_;                    // the driven layers' first filling
-  std::vector<Loan> by_ends_;    // [face] what came into its driven layer by the ends, and has not left by them
-  double remainder_ = 0;         // [kg] left over from filling with whole grains
+  Loan lent_;                     // the driven layers' first filling
+  std::vector<Loan> by_ends_;     // [face] what came into its driven layer by the ends, and has not left by them
+  double remainder_ = 0;          // [kg] left over from filling with whole grains
   std::int64_t next_id_ = 1, steps_ = 0;
   double window_ = 0;  // [s]
   long inserted_ = 0;
-  bool fresh_ = false;               // no window yet
-  bool closed_ = false;              // at rest
-  int covered_ = -1;                 // the solver's number of the zone
+  bool fresh_ = false;                // no window yet
+  bool closed_ = false;               // at rest
+  int covered_ = -1;                  // the solver's number of the zone
   std::vector<double> slide_, slid_;  // [face] of its rafts along it [m/s], in the last window [m]
   std::vector<char> face_of_driven_;  // by id, of grains that are or were driven
   std::int64_t own_from_ = 0;         // driven grains below this id were not laid by the conveyors that stand there now
-  std::vector<RimMove> move_;        // to tell the engine
-  std::vector<NewGrain> move_fill_;  // with it
+  std::vector<RimMove> move_;         // to tell the engine
+  std::vector<NewGrain> move_fill_;   // with it
 };
 
 }  // namespace couloir

@@ -216,8 +216,7 @@ class RimMover {
         if (!counted) now_.handback_.unmark_shadow(id), excess_ -= mass;
       } else if (at.inflow && at.distance >= -now_.rim_.layer()) {
         rim_.driven.push_back({id, at.face, at.segment});
-        now_.layer_.push_back(
-            {id, p, {grains_.vx[k], grains_.vy[k], grains_.vz[k]}, grains_.radius[k], at.face, at.segment});
+        now_.layer_.push_back({id, p, {grains_.vx[k], grains_.vy[k], grains_.vz[k]}, grains_.radius[k], at.face, at.segment});
         now_.note_driven(now_.layer_.back());
         if (!counted) now_.handback_.unmark_shadow(id);
         if (counted && !driven) give_to_flow(k, mass);

@@ -129,8 +129,8 @@ std::string SideFile::bytes() const {
   put(out, static_cast<std::uint64_t>(rafts.size()));
   for (const FixDrive::Raft& raft : rafts) {
     const SegmentDrive& d = raft.drive;
-    for (const double value : {raft.velocity, raft.mass, d.push, d.most, d.least, d.along, d.least_mass,
-                               d.slide, d.exit_active ? 1.0 : 0.0, d.exit_velocity[0], d.exit_velocity[1], d.exit_velocity[2]}) {
+    for (const double value : {raft.velocity, raft.mass, d.push, d.most, d.least, d.along, d.least_mass, d.slide,
+                               d.exit_active ? 1.0 : 0.0, d.exit_velocity[0], d.exit_velocity[1], d.exit_velocity[2]}) {
       put(out, value);
     }
   }

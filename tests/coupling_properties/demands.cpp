@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "coupling/plan/build.hpp"
 #include "coupling/scene/inflow.hpp"
@@ -47,15 +46,13 @@ void Demands::on_start(const RunStart& start) {
     start_ = std::max(start_, in.velocity);
     depth = std::max(depth, in.depth);
   }
-  collapse_ = 4 * scene_->gravity * depth;
-  const GrainMaterial& m = scene_->material.grain;
-  const double stiffness = m.youngs_modulus / (2 * (1 - m.poisson_ratio * m.poisson_ratio));
-  softness_ = expected_grain_density(*scene_) / stiffness;
+  front_ = start_ + 2 * std::sqrt(scene_->gravity * depth);
 }
 
+// By Ritter's dam break the front of what starts with a velocity has 2 sqrt(g h) more.
 double Demands::given(double level) const {
   const double drop = std::max(0.0, top_ - level) + scene_->grains.diameter;
-  return start_ * start_ + 2 * scene_->gravity * drop;
+  return front_ * front_ + 2 * scene_->gravity * drop;
 }
 
 void Demands::on_window(const WindowReport& w) {
@@ -87,7 +84,7 @@ void Demands::look_at_grains(const FrameView& view) {
     const double v2 = g.vx[i] * g.vx[i] + g.vy[i] * g.vy[i] + g.vz[i] * g.vz[i];
     const double level = surface_->to_level({g.x[i], g.y[i], g.z[i]}).z();
     if (!std::isfinite(v2 + level)) return demand(false, view.time, fmt::format("grain {} is nowhere", g.id[i]));
-    const double share = v2 / (given(level) + collapse_);  // it may have come in with a front of the flow
+    const double share = v2 / given(level);
     worst_.fastest = std::max(worst_.fastest, std::sqrt(v2));
     worst_.grain_energy = std::max(worst_.grain_energy, share);
     demand(
@@ -95,8 +92,7 @@ void Demands::look_at_grains(const FrameView& view) {
         fmt::format("grain {} at x = {:.4g}, y = {:.4g}, z = {:.4g} m has {:.3g} m/s, {:.3g} times the energy that it can have",
                     g.id[i], g.x[i], g.y[i], g.z[i], std::sqrt(v2), share));
   }
-  const double hertz =
-      0.5 * std::pow(5 * std::numbers::pi * std::numbers::sqrt2 / 8 * softness_ * worst_.fastest * worst_.fastest, 0.4);
+  const double hertz = impact_overlap(*scene_, worst_.fastest);
   if (hertz > 0) worst_.overlap_share = std::max(worst_.overlap_share, worst_.overlap / hertz);
   demand(
       worst_.overlap <= std::max(most_overlap, most_overlap_share * hertz), view.time,
@@ -109,8 +105,7 @@ void Demands::look_at_flow(const FrameView& view) {
       return demand(false, view.time, fmt::format("no number in the cell at x = {:.4g}, y = {:.4g} m", x, y));
     demand(h >= 0, view.time, fmt::format("a depth of {:.3g} m at x = {:.4g}, y = {:.4g} m", h, x, y));
     if (h < least_depth * scene_->grains.diameter) return;
-    const double share =
-        (hu * hu + hv * hv) / (h * h) / (given(surface_->to_level(surface_->to_space({x, y, bed})).z()) + collapse_);
+    const double share = (hu * hu + hv * hv) / (h * h) / given(surface_->to_level(surface_->to_space({x, y, bed})).z());
     worst_.flow_energy = std::max(worst_.flow_energy, share);
     demand(share <= most_energy, view.time,
            fmt::format("the flow at x = {:.4g}, y = {:.4g} m, {:.3g} m deep, has {:.3g} times the energy that it can have", x, y,

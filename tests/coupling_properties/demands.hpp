@@ -42,8 +42,7 @@ class Demands : public Observer {
   Grid grid_;
   std::vector<double> bed_;
   double top_ = 0, start_ = 0;  // [m] highest level of material, [m/s] its fastest start
-  double collapse_ = 0;         // [m2/s2] (2 sqrt(g h))^2: the front of a flow that collapses from its depth h
-  double softness_ = 0;         // [s2/m2] density over stiffness
+  double front_ = 0;            // [m/s] of the fastest front on level ground
   double residual_ = 0, residual_time_ = 0, momentum_ = 0;  // [N s], [s]: the largest; [N s] the largest momentum
   bool finished_ = false;
   Worst worst_;

@@ -148,8 +148,7 @@ TEST_P(Raft, SlidesAlongItsFaceAndIsTakenOverByTheNextSegment) {
   AdvanceRequest request = steps(1);
   const double y = width / 2 - 0.2 * d;
   request.insert = {{1, {-3 * d, y, 2 * d}, {first, slide, 0}, 0.5 * d, 0, 0}};
-  request.drives = {
-      {{1, first, first, along, 0, false, {}, slide}, {1, second, second, along, 0, false, {}, slide}}};
+  request.drives = {{{1, first, first, along, 0, false, {}, slide}, {1, second, second, along, 0, false, {}, slide}}};
   engine.advance(request);
   const auto weight = mass(0.5 * d);
   const int to_cross = int(0.3 * d / slide / setup.timestep);
