@@ -1,9 +1,7 @@
 """Pictures of several runs side by side."""
 
-import numpy as np
-
 import style
-from figures import deepest, draw_depth, extent
+from figures import common_box, common_instants, deepest, draw_depth
 from read import running_mean
 from style import plt
 
@@ -26,22 +24,12 @@ def forces(runs, labels, path):
             a.plot(f["time"], mean, color=colour, linestyle=style.DASHES[k % len(style.DASHES)], linewidth=2, label=label)
             a.plot(*run.peak(name), "o", color=colour, markersize=6)
         a.axhline(0, color=style.GREY, linewidth=0.8)
-        a.set_title(f"Force on {name}, along the slope: means of 15 ms, peaks marked, window means faint")
+        a.set_title(f"Force on {name}, along the slope")
         a.set_ylabel("force [N]")
         a.legend(loc="best")
         a.set_xlim(left=0)
     axes.flat[-1].set_xlabel("time [s]")
     return style.save(figure, path)
-
-
-def common_instants(runs, count):
-    """For each of `count` frames of the run with the fewest, in the time that all cover, the nearest frame of each run."""
-    last = min(run.frames[-1].time for run in runs)
-    first = max(run.frames[0].time for run in runs)
-    coarse = min(runs, key=lambda run: len(run.frames))
-    times = np.array([frame.time for frame in coarse.frames])
-    wanted = [times[np.argmin(np.abs(times - t))] for t in np.linspace(first, last, count + 1)[1:]]
-    return [[min(run.frames, key=lambda frame: abs(frame.time - t)) for run in runs] for t in wanted]
 
 
 def depth(runs, labels, path, count=4):
@@ -50,9 +38,9 @@ def depth(runs, labels, path, count=4):
     if not runs_with:
         return None
     runs, labels = zip(*runs_with)
-    rows = common_instants(runs, count)
-    boxes = np.array([extent(run, [row[k] for row in rows]) for k, run in enumerate(runs)])
-    box = boxes[:, 0].min(), boxes[:, 1].max(), boxes[:, 2].min(), boxes[:, 3].max()
+    rows = common_instants(runs, count + 1)
+    rows = rows[1:] or rows  # all begin alike
+    box = common_box(runs, rows)
     top = max(deepest(run) for run in runs)
     ratio = (box[3] - box[2]) / (box[1] - box[0])
     figure, axes = style.map_grid(len(rows), len(runs), ratio, width=max(style.WIDTH, 3.2 * len(runs)), title_lines=2)

@@ -40,7 +40,8 @@ def picture(run, path):
     below.set_title("Control volume less own forces")
     below.set_ylabel("difference [N]")
     below.set_xlabel("time [s]")
-    below.legend(loc="best")
+    below.margins(y=0.3)
+    below.legend(loc="best", ncols=2)
     for axes in (above, below):
         axes.axhline(0, color=style.GREY, linewidth=0.8)
     below.set_xlim(run.time[0] - length[0], run.time[-1])

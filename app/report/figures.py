@@ -48,6 +48,21 @@ def extent(run, frames):
     return (max(left, min(xs) - margin), min(right, max(xs) + margin), max(low, min(ys) - margin), min(high, max(ys) + margin))
 
 
+def common_instants(runs, count):
+    """For each of at most `count` frames of the run with the fewest, in the time that all cover, the nearest frame of each run."""
+    last = min(run.frames[-1].time for run in runs)
+    first = max(run.frames[0].time for run in runs)
+    coarse = min(runs, key=lambda run: len(run.frames))
+    wanted = [frame.time for frame in pick(coarse.frames, count, first, last)]
+    return [[min(run.frames, key=lambda frame: abs(frame.time - t)) for run in runs] for t in wanted]
+
+
+def common_box(runs, rows):
+    """(x from, to, y from, to) [m] that holds the flow of all runs in all rows of frames."""
+    boxes = np.array([extent(run, [row[k] for row in rows]) for k, run in enumerate(runs)])
+    return boxes[:, 0].min(), boxes[:, 1].max(), boxes[:, 2].min(), boxes[:, 3].max()
+
+
 def draw_obstacles_from_above(axes, run):
     for o in run.obstacles.values():
         if "triangles" in o:
@@ -59,6 +74,16 @@ def draw_obstacles_from_above(axes, run):
                                  facecolor="#FFFFFF", edgecolor=style.INK, linewidth=1.3, hatch="/////", zorder=4))
 
 
+def outline(x, y, wet):
+    """Segments [n, 2, (x, y)] of the cells' edges between wet and dry: a line between the centres would lie beside the colours."""
+    dx, dy = x[1] - x[0], (y[1] - y[0]) if len(y) > 1 else x[1] - x[0]
+    j, i = np.nonzero(wet[:, 1:] != wet[:, :-1])
+    upright = np.stack([x[i] + dx / 2, y[j] - dy / 2, x[i] + dx / 2, y[j] + dy / 2], axis=-1)
+    j, i = np.nonzero(wet[1:] != wet[:-1])
+    level = np.stack([x[i] - dx / 2, y[j] + dy / 2, x[i] + dx / 2, y[j] + dy / 2], axis=-1)
+    return np.concatenate([upright, level]).reshape(-1, 2, 2)
+
+
 def draw_depth(axes, run, frame, top, box):
     """Depth from above with the outline of the flow, of the obstacles and of the zone; returns the image."""
     x, y, h = run.finest_depth(frame, box)
@@ -67,8 +92,7 @@ def draw_depth(axes, run, frame, top, box):
     image = axes.imshow(np.ma.masked_less(h, wet) * MM, origin="lower", cmap=style.DEPTH, vmin=0, vmax=top * MM, aspect="equal",
                         extent=[(x[0] - dx / 2) * MM, (x[-1] + dx / 2) * MM, (y[0] - dy / 2) * MM, (y[-1] + dy / 2) * MM],
                         interpolation="nearest")
-    if np.any(h > wet) and min(h.shape) > 1:
-        axes.contour(x * MM, y * MM, h, levels=[wet], colors=[style.INK], linewidths=0.8)
+    axes.add_collection(LineCollection(outline(x, y, h > wet) * MM, colors=style.INK, linewidths=0.8))
     for a, b, c, d in frame.zones * MM:
         axes.add_patch(Rectangle((a, c), b - a, d - c, fill=False, edgecolor=style.RED, linewidth=1.4, linestyle="--", zorder=5))
     draw_obstacles_from_above(axes, run)
@@ -154,8 +178,18 @@ def side_box(run, frames):
     return o["y"], max(box[0], o["x"] - reach), min(box[1], o["x"] + o["length"] + 0.6 * reach), top
 
 
-def draw_side(axes, run, frame, middle, fastest):
+def in_section(run, frame, middle):
+    """The grains (as of Frame.grains) within two diameters of the section, the nearest ones last; None where there are none."""
     grains = frame.grains()
+    if grains is None:
+        return None
+    off = np.abs(grains["y"] - middle)
+    near = np.flatnonzero(off < 2 * (run.diameter or 0.005))
+    return {name: values[near[np.argsort(-off[near])]] for name, values in grains.items()} if near.size else None
+
+
+def draw_side(axes, run, frame, middle, fastest):
+    grains = in_section(run, frame, middle)
     dots = None
     if run.has_flow:
         x, y, bed = run.grid
@@ -166,13 +200,11 @@ def draw_side(axes, run, frame, middle, fastest):
         line = np.where(wet, base + h, np.nan)
         axes.plot(x * MM, line * MM, color=style.BLUE, linewidth=1.6, zorder=4, label="surface of the flow")
     if grains is not None:
-        near = np.abs(grains["y"] - middle) < 2 * (run.diameter or 0.005)
-        order = np.flatnonzero(near)[np.argsort(-np.abs(grains["y"][near] - middle))]
-        size = 2 * grains["radius"][order] * MM
-        dots = EllipseCollection(size, size, np.zeros(len(order)), units="x", transOffset=axes.transData, cmap=style.SPEED,
-                                 offsets=np.column_stack([grains["s"][order], grains["n"][order]]) * MM,
+        size = 2 * grains["radius"] * MM
+        dots = EllipseCollection(size, size, np.zeros(len(size)), units="x", transOffset=axes.transData, cmap=style.SPEED,
+                                 offsets=np.column_stack([grains["s"], grains["n"]]) * MM,
                                  edgecolors="#20303A", linewidths=0.25, zorder=2)
-        dots.set_array(grains["speed"][order])
+        dots.set_array(grains["speed"])
         dots.set_clim(0, fastest)
         axes.add_collection(dots)
     for o in run.obstacles.values():
@@ -186,26 +218,36 @@ def draw_side(axes, run, frame, middle, fastest):
     return dots
 
 
+def upper_sides(grains, x0, x1):
+    """[m] of the grains of a section between x0 and x1: how high they reach."""
+    if grains is None:
+        return np.array([])
+    return (grains["n"] + grains["radius"])[(grains["s"] > x0) & (grains["s"] < x1)]
+
+
 def side_view(run, path, count=4):
     if not run.frames or not (run.has_flow or run.has_grains):
         return None
     contact = min((run.figure(("obstacles", name, "first_contact")) or np.inf for name in run.obstacles), default=np.inf)
     late = [f for f in run.frames if f.time >= contact - 0.02]
-    frames = pick(late if len(late) >= count else run.frames, count)
+    frames = pick(late if len(late) >= count else run.frames[-count:], count)
     middle, x0, x1, top = side_box(run, frames)
+    sections = [in_section(run, frame, middle) for frame in frames]
+    highest = [upper_sides(grains, x0, x1) for grains in sections]
+    top = max([top] + [min(h.max(), 0.5 * (x1 - x0)) for h in highest if h.size])
     ratio = 1.08 * top / (x1 - x0)
     columns = 2 if ratio > 0.25 else 1
     figure, axes = style.map_grid(-(-len(frames) // columns), columns, ratio)
-    speeds = [g["speed"][np.abs(g["y"] - middle) < 0.05] for g in (f.grains() for f in frames) if g is not None]
-    speeds = np.concatenate(speeds) if speeds else np.array([])
+    speeds = np.concatenate([g["speed"] for g in sections if g] or [[]])
     fastest = max(float(np.percentile(speeds, 99.5)), 1e-3) if speeds.size else 1
     dots = None
-    for a, frame in zip(axes.flat, frames):
+    for a, frame, heights in zip(axes.flat, frames, highest):
         dots = draw_side(a, run, frame, middle, fastest) or dots
         style.plain_map(a)
         a.set_xlim(x0 * MM, x1 * MM)
         a.set_ylim(-0.06 * top * MM, 1.02 * top * MM)
-        a.set_title(f"t = {frame.time:.3f} s")
+        out = np.sum(heights > top * 1.02)
+        a.set_title(f"t = {frame.time:.3f} s" + (f"; {out} higher, up to {heights.max() * MM:.0f} mm" if out else ""))
     for spare in axes.flat[len(frames):]:
         spare.set_visible(False)
     for a in axes[:, 0]:

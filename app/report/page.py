@@ -23,17 +23,31 @@ h2{font-size:1.2rem;margin:2.4rem 0 .6rem;padding-top:.9rem;border-top:1px solid
 table{border-collapse:collapse;width:100%;font-size:.94rem}
 th,td{text-align:left;padding:.36rem .8rem .36rem 0;border-bottom:1px solid var(--line);vertical-align:top}
 thead th{color:var(--soft);font-weight:600;border-bottom:2px solid var(--line)}
-tbody th{font-weight:400}
+tbody th{font-weight:400;min-width:8.5rem}
 tr.group th{font-weight:700;padding-top:1rem}
-td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.n{white-space:nowrap}
 td.u{color:var(--soft);white-space:nowrap}
 .on{color:var(--good);font-weight:600}.off{color:var(--soft)}
 figure{margin:0 0 1.4rem}
 figure img{display:block;width:100%;height:auto}
 figcaption{color:var(--soft);font-size:.9rem;margin-top:.3rem}
-@media (max-width:40rem){figure img{width:46rem;max-width:none}body{padding:1rem .8rem 3rem}h1{font-size:1.4rem}}
-@media print{body{max-width:none;padding:0;font-size:10pt}h2{break-after:avoid}
- figure,tr,.card{break-inside:avoid}.scroll{overflow:visible}}
+.player figure{max-width:46rem}.player[hidden],.player img[hidden]{display:none}
+.curve{position:relative}
+.marker{position:absolute;margin-left:-1px;border-left:2px solid var(--ink)}
+.controls{display:grid;grid-template-columns:auto 1fr;gap:.4rem .8rem;align-items:center;margin:.4rem 0}
+.controls output{grid-column:1/-1;min-height:1.55em;font-variant-numeric:tabular-nums}
+.controls button{font:inherit;min-width:5.5rem;padding:.45rem .8rem;border:1px solid var(--accent);border-radius:.4rem;
+ background:var(--accent);color:var(--paper)}
+.controls input{width:100%;height:2rem;margin:0}
+.aside{display:none}
+@media (max-width:40rem){.scroll img.wide{width:46rem;max-width:none}body{padding:1rem .8rem 3rem}h1{font-size:1.4rem}
+ .aside{display:inline}}
+@page{margin:14mm}
+@media print{body{max-width:none;padding:0;font-size:9pt;line-height:1.4}h2{break-after:avoid;margin-top:1.2rem}
+ figure,tr,.card,.verdict{break-inside:avoid}.scroll{overflow:visible}.player,.aside{display:none}
+ figure img{width:auto;max-width:100%;max-height:100mm}th,td{padding-top:.15rem;padding-bottom:.15rem}
+ .cards{grid-template-columns:repeat(5,1fr)}.card{padding:.3rem .5rem}.card strong{font-size:1.1rem;white-space:nowrap}
+ *{print-color-adjust:exact;-webkit-print-color-adjust:exact}}
 """
 
 
@@ -52,12 +66,21 @@ def number(value, digits=4):
     return f"{value:.{digits}g}".replace("-", "\u2212")
 
 
-def picture(path, caption):
+def data(content, kind):
+    """A picture as an address that holds it."""
+    return f"data:image/{kind};base64,{base64.b64encode(content).decode()}"
+
+
+def picture(path, caption, narrow=None):
+    """`narrow`: the same drawn for the width of a phone; without it the picture scrolls sideways there."""
     if path is None:
         return ""
-    data = base64.b64encode(path.read_bytes()).decode()
-    return (f'<figure><div class="scroll"><img alt="{escape(caption)}" src="data:image/png;base64,{data}"></div>'
-            f"<figcaption>{escape(caption)}</figcaption></figure>\n")
+    image = f'<img alt="{escape(caption)}" src="{data(path.read_bytes(), "png")}"'
+    if narrow:
+        source = f'<source media="(max-width:40rem)" srcset="{data(narrow.read_bytes(), "png")}">'
+        return f"<figure><picture>{source}{image}></picture><figcaption>{escape(caption)}</figcaption></figure>\n"
+    return (f'<figure><div class="scroll">{image} class="wide"></div>'
+            f'<figcaption><span class="aside">The picture goes on to the right. </span>{escape(caption)}</figcaption></figure>\n')
 
 
 def cards(entries):

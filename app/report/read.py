@@ -247,8 +247,8 @@ def running_mean(time, length, force, span=0.015):
     return (impulse[1:] - np.interp(time - span, edges, impulse)) / span
 
 
-def pick(frames, count):
-    """`count` of the frames, evenly spread over the time, the first and the last among them."""
+def pick(frames, count, first=None, last=None):
+    """At most `count` of the frames, evenly spread over the time from `first` to `last` [s], or all of it, both ends included."""
     times = np.array([f.time for f in frames])
-    wanted = np.linspace(times[0], times[-1], count)
+    wanted = np.linspace(times[0] if first is None else first, times[-1] if last is None else last, count)
     return [frames[k] for k in sorted({int(np.argmin(np.abs(times - t))) for t in wanted})]

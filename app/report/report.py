@@ -18,7 +18,9 @@ import control_volume
 import figures
 import spectra
 import stresses
+import style
 from page import cards, effects_table, events_table, figures_table, number, page, picture, section
+from player import player
 from read import MODES, NoRun, Run
 
 # (what, unit, path in summary.json): the rows of the key figures, group by group.
@@ -112,34 +114,48 @@ def about(run):
     return " · ".join(str(part) for part in parts if part)
 
 
+def twice(draw, *arguments, caption):
+    """The picture that draw(..., path) makes, and the same for a phone."""
+    path = draw(*arguments)
+    return picture(path, caption, path and style.narrow(draw, *arguments))
+
+
+def side_caption(run):
+    parts = ["grains within two diameters of it, coloured by speed"] if run.has_grains else []
+    if run.has_flow:
+        parts.append("line: surface of the flow" + (", in the zone the mean over a cell" if run.has_grains else ""))
+    where = "the middle of the obstacle" if run.obstacles else "the centre line"
+    return f"Section through {where}: {'; '.join(parts)}. Heights along the normal, not exaggerated."
+
+
 def report_one(run, out):
     obstacle = next(iter(run.obstacles), None)
     peak, impulse = (run.figure(("obstacles", obstacle, key)) for key in ("force_peak", "impulse"))
     body = cards([(peak, "N", f"peak force on {obstacle}"), (impulse, "N s", f"impulse on {obstacle}"),
                   (run.figure("mass.overtopped"), "kg", "went over the obstacles"),
                   (run.figure("grains.peak_count") or None, "", "grains at most"), (run.figure("time.wall"), "s", "time waited")])
-    body += section("Forces", picture(figures.forces(run, out / "forces.png"),
-                                      "Thin: mean of each coupling window. Thick: running mean of 15 ms, whose peak is quoted"
-                                      + ("; with its scatter, that of all packings. The peak is the first one's."
-                                         if run.packings else ".")))
-    body += section("One force by two measures", picture(control_volume.picture(run, out / "control_volume.png"),
-                                                         "What the obstacles feel, and what the material loses to them: gravity "
-                                                         "less bed, sides and storage."))
-    body += section("Spectrum", picture(spectra.picture([run], [run.mode], out / "spectrum.png"),
-                                        "Welch's estimate with Hann's weights. What is exchanged once a window would stand out at "
-                                        "the dashed lines."))
+    body += player([run], [run.mode])
+    body += section("Forces", twice(figures.forces, run, out / "forces.png",
+                                    caption="Thin: mean of each window. Thick: running mean of 15 ms, whose peak is quoted"
+                                    + ("; with its scatter, that of all packings. The peak is the first one's."
+                                       if run.packings else ".")))
+    body += section("One force by two measures", twice(control_volume.picture, run, out / "control_volume.png",
+                                                       caption="What the obstacles feel, and what the material loses to them: "
+                                                       "gravity less bed, sides and storage."))
+    body += section("Spectrum", twice(spectra.picture, [run], [run.mode], out / "spectrum.png",
+                                      caption="Welch's estimate with Hann's weights. What is exchanged once a window would stand "
+                                      "out at the dashed lines."))
     body += section("Stresses", picture(stresses.one_run(run, out / "stresses.png"),
                                         "By the grains on parts of a front: into the face, along its height, across. Thick: "
                                         "running mean of 15 ms."))
     body += section("From above", picture(figures.top_view(run, out / "top.png"),
-                                          "Depth of the flow with its outline; hatched: obstacles; dashed: the zone that the "
-                                          "grains hold, where a thin flow shows as single grains."))
+                                          "Depth of the flow with its outline; hatched: obstacles"
+                                          + ("; dashed: the zone that the grains hold, where a thin flow shows as single grains."
+                                             if any(len(frame.zones) for frame in run.frames) else ".")))
     body += section("The mesh over the flow", picture(figures.mesh_view(run, out / "mesh.png"),
                                                       "Outlines of the blocks: each has as many cells, at each level half as long."))
     body += section("From the side", picture(figures.side_view(run, out / "side.png"),
-                                             "Section through the middle of the obstacle: grains within two diameters of it, "
-                                             "coloured by speed; line: surface of the flow, in the zone the mean over a cell. "
-                                             "Heights along the normal, not exaggerated."))
+                                             side_caption(run)))
     body += section("Packings", packings_table(run))
     body += section("Key figures", key_figures([run], ["value"]) if run.summary else "")
     body += section("Effects", effects_table(run.summary["effects"]) if run.summary.get("effects") else "")
@@ -156,6 +172,11 @@ def cost(run):
     return cpu / simulated if cpu and simulated else None
 
 
+def ratio(value):
+    """Two decimals, or two digits of what is small."""
+    return f"{value:.2f}" if abs(value) >= 0.1 else f"{value:.2g}"
+
+
 def ratio_table(runs, names, best):
     """Forces and cost over those of the most accurate run."""
     rows = []
@@ -169,7 +190,7 @@ def ratio_table(runs, names, best):
     for what, path in rows:
         values = [path(run) if callable(path) else run.figure(path) for run in runs]
         base = values[best]
-        entries.append((what, "", [f"{v / base:.2f}" if v is not None and base else None for v in values]))
+        entries.append((what, "", [ratio(v / base) if v is not None and base else None for v in values]))
     return figures_table(names, [(f"Ratio to {names[best]}", entries)])
 
 
@@ -197,9 +218,11 @@ def report_several(runs, out):
     if max(covered) > 1.01 * min(covered):
         verdict += (f" They cover different times, {number(min(covered), 3)} s to {number(max(covered), 3)} s: impulses, "
                     "means and forces at the end do not compare.")
-    body = section("Forces", picture(compare.forces(runs, names, out / "forces.png"), "The force on each obstacle in all runs."))
-    body += section("Spectra", picture(spectra.picture(runs, names, out / "spectrum.png"),
-                                       "Welch's estimate with Hann's weights; dashed: the windows' frequency and its harmonics."))
+    body = player(runs, names)
+    body += section("Forces", twice(compare.forces, runs, names, out / "forces.png",
+                                    caption="Means of 15 ms, their peaks marked; faint: means of a window."))
+    body += section("Spectra", twice(spectra.picture, runs, names, out / "spectrum.png",
+                                     caption="Welch's estimate with Hann's weights; dashed: the windows' frequency and its harmonics."))
     body += section("Stresses", picture(stresses.several(runs, names, out / "stresses.png"),
                                         "By the grains on parts of a front: running means of 15 ms."))
     body += section("Ratios", ratio_table(runs, names, best))

@@ -110,6 +110,7 @@ def draw_table(study, name, rows, path):
     for (left, right), quantity in zip(axes, quantities):
         draw_lines(left, study, layout, quantity)
         draw_cost(right, study, layout, quantity)
+        left.margins(y=0.12)
         values = np.concatenate([np.asarray(line.get_ydata(), float) for line in left.lines])
         if values.min() >= 0 and values.max() > 0 and values.min() < 0.6 * values.max():
             left.set_ylim(bottom=0)
@@ -128,9 +129,9 @@ def rows_table(study, rows):
     used = lambda c: any(c.shown(k) for k in rows)
     labels = [c for c in [study.columns["variant"], study.columns["mode"], *study.role("parameter")] if used(c)]
     quantities = [q for q in study.role("quantity") if used(study.of(q, "mean"))]
-    heads = [c.heading() for c in labels]
+    numbers = []
     for q in quantities:
-        heads += [q.heading()] + ([study.of(q, "reference").about] if study.of(q, "reference") else [])
+        numbers += [q.heading()] + ([study.of(q, "reference").about] if study.of(q, "reference") else [])
     body, seen = "", set()
     for k in rows:
         key = tuple(c.shown(k) for c in labels)
@@ -150,7 +151,8 @@ def rows_table(study, rows):
         end = status if status != "done" else f"done, {count} seeds" if count > 1 else "done"
         reason = study.columns["reason"].values[k]
         body += f'<tr>{"".join(cells)}<td class="n">{number(cpu, 3)}</td><td>{escape(end + (": " + reason if reason else ""))}</td></tr>'
-    head = "".join(f"<th>{escape(h)}</th>" for h in [*heads, "processor time [s]", "status"])
+    head = "".join(f"<th>{escape(c.heading())}</th>" for c in labels)
+    head += "".join(f'<th class="n">{escape(h)}</th>' for h in [*numbers, "processor time [s]"]) + "<th>status</th>"
     return f'<div class="scroll"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>\n'
 
 

@@ -30,6 +30,18 @@ SPEED = matplotlib.colormaps["viridis"]
 
 
 WIDTH = 9.2  # [in] of every picture
+NARROW = 5.2  # [in] of what a phone shows in its width: letters stay legible
+
+
+def narrow(draw, *arguments):
+    """draw(..., path) once more for a phone, beside the picture at `path`; its path, or None."""
+    global WIDTH
+    wide, WIDTH = WIDTH, NARROW
+    try:
+        path = arguments[-1]
+        return draw(*arguments[:-1], path.with_stem(path.stem + "_narrow"))
+    finally:
+        WIDTH = wide
 
 
 def map_grid(rows, columns, ratio, width=WIDTH, title_lines=1):
