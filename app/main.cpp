@@ -53,7 +53,7 @@ bool unknown_verb(const CLI::App& app, const std::string& word) {
     if (verb->get_name() == word) return false;
     verbs += verb->get_name() + ", ";
   }
-  fail(2, wrong_input, "there is no verb '" + word + "'; there are " + verbs + "and test at the front door ./couloir.");
+  fail(2, wrong_input, "there is no verb '" + word + "'; there are " + verbs + "and docs and test at the front door ./couloir.");
   return true;
 }
 
@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   using namespace couloir;
   CLI::App app{"Granular avalanches that hit obstacles: a depth-averaged flow coupled to discrete grains.", "couloir"};
   app.require_subcommand(1);
-  app.footer("couloir test   builds and runs all tests (of the front door, see ./couloir)");
+  app.footer("./couloir docs   builds the pages of docs/ as a site\n./couloir test   builds and runs all tests");
   int exit_code = 0;
   add_plan(app, exit_code);
   add_run(app, exit_code);
