@@ -230,7 +230,7 @@ def side_view(run, path, count=4):
         return None
     contact = min((run.figure(("obstacles", name, "first_contact")) or np.inf for name in run.obstacles), default=np.inf)
     late = [f for f in run.frames if f.time >= contact - 0.02]
-    frames = pick(late if len(late) >= count else run.frames[-count:], count)
+    frames = pick(late if len(late) >= count else run.frames if contact == np.inf else run.frames[-count:], count)
     middle, x0, x1, top = side_box(run, frames)
     sections = [in_section(run, frame, middle) for frame in frames]
     highest = [upper_sides(grains, x0, x1) for grains in sections]
@@ -285,19 +285,14 @@ def forces(run, path):
         label = "mean of 15 ms" + (", first packing" if run.packings else "")
         a.plot(f["time"], mean, color=style.BLUE, linewidth=1.2 if run.packings else 2.2, label=label, zorder=4)
         at, peak = run.peak(name)
-        early = at < 0.5 * f["time"][-1]
         if peak != 0:
-            a.plot(at, peak, "o", color=style.RED, markersize=7, zorder=5)
-            above = 1.1 * np.max(f["fx"]) if peak > 0 else 1.1 * np.min(f["fx"])  # clear of both curves
             whose = " of the first packing" if run.packings else ""
-            a.annotate(f" peak{whose} {peak:.3g} N at {at:.3f} s ", (at, peak), xytext=(at, above),
-                       ha="left" if early else "right", va="center", color=style.RED, fontweight="bold",
-                       arrowprops={"arrowstyle": "-", "color": style.RED, "linewidth": 0.8})
+            a.plot(at, peak, "o", color=style.RED, markersize=7, zorder=5, label=f"peak{whose} {style.short(peak)} N at {at:.3f} s")
         a.axhline(0, color=style.GREY, linewidth=0.8)
         a.set_title(f"Force on {name}, along the slope")
         a.set_ylabel("force [N]")
         a.set_xlim(f["time"][0] - run.windows["length"][0], f["time"][-1])
         a.margins(y=0.12)
-        a.legend(loc="upper right" if early else "upper left")
+        a.legend(loc="best")
     axes.flat[-1].set_xlabel("time [s]")
     return style.save(figure, path)

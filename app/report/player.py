@@ -18,7 +18,7 @@ from page import data, number
 from read import running_mean
 from style import plt
 
-MOST_FRAMES = 40
+MOST_FRAMES = 41  # both ends of forty equal parts
 MOST_BYTES = 3_000_000  # of the pictures; a third more in the page
 MOST_NUMBERS = 4  # forces told beside the slider
 
@@ -147,7 +147,7 @@ class Curves:
     def told(self, time):
         if len(self.means) > MOST_NUMBERS:
             return ""
-        return "".join(f" · {name} {np.interp(time, times, mean):.3g} N" for name, (times, mean) in self.means.items())
+        return "".join(f" · {name} {style.short(np.interp(time, times, mean))} N" for name, (times, mean) in self.means.items())
 
 
 def fitting(rows, pictures):
@@ -178,7 +178,7 @@ def player(runs, labels):
                      f'data-at="{at(time):.3f}" src="{data(picture, "webp")}">' for time, picture in zip(times, pictures))
     which = (f"{len(rows)} of the {len(fewest.frames)} frames recorded, from {number(times[0])} s to {number(times[-1])} s, "
              f"about every {number((times[-1] - times[0]) / (len(rows) - 1), 3)} s")
-    text = "Depth of the flow with its outline; hatched: obstacles"
+    text = "Depth of the flow with its outline" + ("; hatched: obstacles" if any(run.obstacles for run in runs) else "")
     if any(len(frame.zones) for row in rows for frame in row):
         text += "; dashed: the zone of the grains"
     if any(run.has_grains for run in runs):

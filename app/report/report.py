@@ -132,7 +132,7 @@ def report_one(run, out):
     obstacle = next(iter(run.obstacles), None)
     peak, impulse = (run.figure(("obstacles", obstacle, key)) for key in ("force_peak", "impulse"))
     body = cards([(peak, "N", f"peak force on {obstacle}"), (impulse, "N s", f"impulse on {obstacle}"),
-                  (run.figure("mass.overtopped"), "kg", "went over the obstacles"),
+                  (run.figure("mass.overtopped") if run.obstacles else None, "kg", "went over the obstacles"),
                   (run.figure("grains.peak_count") or None, "", "grains at most"), (run.figure("time.wall"), "s", "time waited")])
     body += player([run], [run.mode])
     body += section("Forces", twice(figures.forces, run, out / "forces.png",
@@ -149,7 +149,7 @@ def report_one(run, out):
                                         "By the grains on parts of a front: into the face, along its height, across. Thick: "
                                         "running mean of 15 ms."))
     body += section("From above", picture(figures.top_view(run, out / "top.png"),
-                                          "Depth of the flow with its outline; hatched: obstacles"
+                                          "Depth of the flow with its outline" + ("; hatched: obstacles" if run.obstacles else "")
                                           + ("; dashed: the zone that the grains hold, where a thin flow shows as single grains."
                                              if any(len(frame.zones) for frame in run.frames) else ".")))
     body += section("The mesh over the flow", picture(figures.mesh_view(run, out / "mesh.png"),

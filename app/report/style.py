@@ -44,6 +44,11 @@ def narrow(draw, *arguments):
         WIDTH = wide
 
 
+def short(value):
+    """Three digits, or all before the point."""
+    return f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
+
+
 def map_grid(rows, columns, ratio, width=WIDTH, title_lines=1):
     """A figure of rows x columns maps of `ratio` = height / width with room for labels and one colour bar, and no gaps."""
     panel = (width - 1.75 - 0.15 * (columns - 1)) / columns
