@@ -132,7 +132,9 @@ def main():
     runs = [Run(path) for path in sys.argv[2:]]
     out = runs[0].path / "pages"
     out.mkdir()
-    page = fetches_nothing(report.report_one(runs[0], out))
+    text = report.report_one(runs[0], out)
+    assert '<div class="player" hidden>' in text, "without scripts the player would show nothing"
+    page = fetches_nothing(text)
     shows_its_frames(runs[0], page, len(runs[0].frames))
     marks_the_frames_time(page)
     assert all(re.search(r"· wall -?[0-9.]+ N", frame["alt"]) for frame in page.frames)
