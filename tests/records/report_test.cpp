@@ -60,8 +60,7 @@ TEST_F(Report, OfOneRun) {
     EXPECT_THAT(page, HasSubstr(text));
   const std::string text = without_pictures(page);
   EXPECT_LT(text.size(), 20000u);
-  for (const char* wrong : {"http://", "https://", "None", "nan", "src=\"/", "href="})
-    EXPECT_THAT(text, Not(HasSubstr(wrong)));
+  for (const char* wrong : {"http://", "https://", "None", "nan", "src=\"/", "href="}) EXPECT_THAT(text, Not(HasSubstr(wrong)));
   for (const char* name : {"top.png", "side.png", "forces.png", "control_volume.png", "spectrum.png", "ledger.png", "counts.png"})
     expect_picture(folder / (std::string("a/report/") + name));
 }
@@ -155,8 +154,9 @@ TEST_F(Report, TurnsThroughTheFrames) {
   record(SyntheticRun(Mode::coupled), folder / "coupled");
   record(SyntheticRun(Mode::grains, 1.1), folder / "grains");
   record(SyntheticRun(Mode::continuum, 0.8), folder / "flow");
-  const std::string command = std::string(kPython) + " " COULOIR_SOURCE_DIR "/tests/records/pages_test.py " COULOIR_SOURCE_DIR
-                              "/app/report " + (folder / "coupled") + " " + (folder / "grains") + " " + (folder / "flow");
+  const std::string command = std::string(kPython) +
+                              " " COULOIR_SOURCE_DIR "/tests/records/pages_test.py " COULOIR_SOURCE_DIR "/app/report " +
+                              (folder / "coupled") + " " + (folder / "grains") + " " + (folder / "flow");
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
