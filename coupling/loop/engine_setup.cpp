@@ -150,13 +150,14 @@ double mesh_size(const Scene& s) {
 PackingSpec packing_spec(const Scene& s, double depth) {
   const GrainMaterial& m = s.material.grain;
   const double d = s.grains.diameter;
-  const bool periodic = s.sides[2].kind == SideSpec::Kind::periodic && s.terrain.width < 30 * d;
+  const bool periodic = s.sides[2].kind == SideSpec::Kind::periodic;
   PackingSpec spec;
   spec.timeout = s.grains.timeout;
   spec.diameter = d;
   spec.spread = s.grains.spread;
   spec.length = 20 * d;
-  spec.width = periodic ? s.terrain.width : 20 * d;
+  // Between periodic sides a whole number of blocks, so that they fit together there, too.
+  spec.width = periodic ? s.terrain.width / std::max(1.0, std::floor(s.terrain.width / (20 * d))) : 20 * d;
   spec.depth = std::max(1.2 * depth, depth + 3 * d);
   spec.seed = s.grains.seed;
   spec.friction = m.friction;

@@ -228,6 +228,7 @@ void Zone::absorb(const Advanced& advanced, Solver& solver, Airborne* airborne) 
     slid_[f] = slide_[f] * window_;
   }
   let_go_of_layer();
+  thin_out_layer();
   const auto flies = [&](std::size_t k) {
     return airborne && airborne->take_off(g, k, table_->grain_mass(g.radius[k]), settings_.rim.diameter, solver);
   };

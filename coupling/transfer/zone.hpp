@@ -113,6 +113,8 @@ class Zone {
   void find_layer(const Grains&);
   void show(const Grains&, Solver&, bool moving);  // in the covered cells
   void let_go_of_layer();
+  void thin_out_layer();
+  double across(double dy) const;  // [m] the nearest of its periodic images
   void note_driven(const NewGrain&);
   bool is_beside_sliding_face(const Vec&) const;
   double speed_along_x(int face, double raft) const;  // [m/s] of a driven layer

@@ -1,8 +1,10 @@
 // The driven layers before a zone's faces (zone.hpp): what stands there, what is lent to them, what leaves them.
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "coupling/transfer/grain_bins.hpp"
 #include "coupling/transfer/zone.hpp"
 
 namespace couloir {
@@ -11,14 +13,21 @@ Conveyor::Occupied Zone::occupied(int face, const std::vector<NewGrain>& inserte
   // Two per cent: what an impact of half a metre a second makes. More would throw the grain out of the flow when it is freed.
   return [this, face, &inserted](int segment, const Vec& p, double r) {
     const auto overlaps = [&](const NewGrain& g) {
-      if (slide_[face] == 0 && g.face == face && g.segment == segment && g.id >= own_from_) return false;
-      const double dx = g.position[0] - p[0], dy = g.position[1] - p[1], dz = g.position[2] - p[2];
+      const double straight = g.position[1] - p[1], dy = across(straight);
+      const bool own = g.face == face && g.segment == segment && g.id >= own_from_ && dy == straight;
+      if (own && slide_[face] == 0) return false;
+      const double dx = g.position[0] - p[0], dz = g.position[2] - p[2];
       const double reach = 0.98 * (g.radius + r);
       return dx * dx + dy * dy + dz * dz < reach * reach;
     };
     return std::any_of(layer_.begin(), layer_.end(), overlaps) || std::any_of(inserted.begin(), inserted.end(), overlaps) ||
            std::any_of(beside_.begin(), beside_.end(), overlaps);
   };
+}
+
+double Zone::across(double dy) const {
+  const double width = grid_.ny * grid_.dy;
+  return settings_.periodic_y ? dy - width * std::round(dy / width) : dy;
 }
 
 void Zone::find_layer(const Grains& g) {
@@ -89,6 +98,29 @@ void Zone::let_go_of_layer() {
     const int middle = std::min(face.cells - 1, s * face.cells_per_segment + face.cells_per_segment / 2);
     handback_.pending()[f][middle].mass += conveyors_[f].owed(s);
     conveyors_[f].owe(s, -conveyors_[f].owed(s));
+  }
+}
+
+// Rafts of one face that move at different velocities push their grains into each other, and what is freed so is shot away: the
+// later of two goes, and is owed again.
+void Zone::thin_out_layer() {
+  constexpr double share = 0.9;  // of the sum of the radii
+  GrainBins stays(1.25 * settings_.rim.diameter);
+  const double width = settings_.periodic_y ? grid_.ny * grid_.dy : 0;
+  const auto meets = [&](const NewGrain& g) {
+    for (const double image : {0.0, width, -width})
+      if (stays.meets({g.position[0], g.position[1] + image, g.position[2]}, g.radius, share)) return true;
+    return false;
+  };
+  for (const NewGrain& g : layer_) {
+    if (std::binary_search(remove_.begin(), remove_.end(), g.id)) continue;
+    if (!meets(g)) {
+      stays.add(g.position, g.radius);
+      continue;
+    }
+    remove_.push_back(g.id);
+    handback_.mark_shadow(g.id);
+    conveyors_[g.face].owe(g.segment, table_->grain_mass(g.radius));
   }
 }
 
