@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
   add_plan(app, exit_code);
   add_run(app, exit_code);
   add_resume(app, exit_code);
+  add_reproduce(app, exit_code);
   add_report(app, exit_code);
   add_check(app, exit_code);
   add_study(app, exit_code);

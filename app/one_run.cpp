@@ -88,6 +88,7 @@ void tell_what_is_left(const RunFolder& folder, bool begun) {
 }  // namespace
 
 void OneRun::declare(CLI::App& verb) {
+  name = verb.get_name();
   verb.add_option("--threads", threads, "of the solver; any number gives the same bits")->check(CLI::Range(1, 256));
   verb.add_option("--ranks", ranks, "MPI processes that share the continuum; any number gives the same bits")
       ->check(CLI::Range(1, 1024));
@@ -100,7 +101,7 @@ Ranks OneRun::ranks_for(const Scene& scene) const {
   const Ranks all = Ranks::of_program();
   if (all.count() != ranks) {
     throw SceneError(fmt::format("--ranks {}: the program runs on {} rank{}; start it as ./couloir {}, which calls mpirun", ranks,
-                                 all.count(), all.count() == 1 ? "" : "s", resume ? "resume" : "run"));
+                                 all.count(), all.count() == 1 ? "" : "s", name));
   }
   const bool planes =
       std::ranges::any_of(scene.obstacles, [](const auto& o) { return o.method == ObstacleSpec::Method::planes; });
@@ -131,7 +132,8 @@ int run_in(const RunFolder& folder, const OneRun& verb, const Scene& scene, cons
   RunEnd end;
   Begun begun;
   try {
-    Records records(folder.file("records.h5"), write_scene(scene), checkpoints, verb.resume);
+    Records records(folder.file("records.h5"), write_scene(scene), checkpoints, verb.resume,
+                    {options.made_by, verb.threads, verb.ranks});
     Xdmf xdmf(folder.path().string());
     ForcesCsv forces(folder.file("forces.csv"), verb.resume);
     Console console(folder.file("log.txt"), screen, verb.resume);

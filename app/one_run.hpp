@@ -13,6 +13,7 @@ struct OneRun {
   int threads = 1, ranks = 1;
   bool json = false, no_report = false;
   bool resume = false;
+  std::string name;  // of the verb
 
   void declare(CLI::App&);
   // Throws SceneError where the scene is not for several ranks, or the program was not started on them.

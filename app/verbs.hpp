@@ -10,6 +10,7 @@ namespace couloir {
 void add_plan(CLI::App&, int& exit_code);
 void add_run(CLI::App&, int& exit_code);
 void add_resume(CLI::App&, int& exit_code);
+void add_reproduce(CLI::App&, int& exit_code);
 void add_report(CLI::App&, int& exit_code);
 void add_check(CLI::App&, int& exit_code);
 void add_study(CLI::App&, int& exit_code);

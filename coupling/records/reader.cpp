@@ -55,6 +55,9 @@ std::string RecordsReader::text(const std::string& attribute) const {
 double RecordsReader::number(const std::string& attribute) const {
   return h5::number_attribute(file_, attribute);
 }
+bool RecordsReader::has(const std::string& attribute) const {
+  return h5::has_attribute(file_, attribute);
+}
 
 Grid RecordsReader::grid() const {
   Grid grid;

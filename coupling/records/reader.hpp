@@ -23,6 +23,7 @@ class RecordsReader {
 
   std::string text(const std::string& attribute) const;  // of the root: "scene", "git_revision", "status", ...
   double number(const std::string& attribute) const;     // "bulk_density", "seed", ...
+  bool has(const std::string& attribute) const;
   Grid grid() const;                                     // nx = 0: no continuum
   std::vector<double> bed() const;
 
@@ -48,17 +49,5 @@ class RecordsReader {
  private:
   h5::Handle file_;
 };
-
-// What differs between two runs' numbers (windows, forces, frames, events' times), bit for bit: the first place and both values,
-// or an empty text where they are the same. Attributes such as the start time are not compared.
-std::string first_difference(const RecordsReader& a, const RecordsReader& b);
-
-// The largest difference of the depth between two runs over their common frames, over the largest depth; of the obstacles'
-// impulses, over the larger one. For runs on different machines.
-struct RunDistance {
-  double depth = 0, impulse = 0;  // [-]
-  int common_frames = 0;
-};
-RunDistance distance(const RecordsReader& a, const RecordsReader& b);
 
 }  // namespace couloir

@@ -25,8 +25,9 @@ std::string now_utc() {
 
 }  // namespace
 
-Records::Records(const std::string& path, const std::string& scene_text, const std::string& checkpoints, bool resumed)
-    : path_(path), scene_text_(scene_text), checkpoints_(checkpoints) {
+Records::Records(const std::string& path, const std::string& scene_text, const std::string& checkpoints, bool resumed,
+                 Started started)
+    : path_(path), scene_text_(scene_text), checkpoints_(checkpoints), started_(std::move(started)) {
   if (!resumed) file_ = h5::create_file(path, journal_);
 }
 
@@ -108,7 +109,10 @@ void Records::write_root(const Scene& scene, double bulk_density) {
                              {"scene", scene_text_},
                              {"scene_as_given", scene.text},
                              {"engine", scene.mode == Mode::continuum ? "" : scene.grains.engine},
+                             {"build", started_.build},
                              {"status", "running"}});
+  h5::put_attribute(file_, "threads", std::int64_t{started_.threads});
+  h5::put_attribute(file_, "ranks", std::int64_t{started_.ranks});
   h5::put_attribute(file_, "format_version", std::int64_t{kFormatVersion});
   h5::put_attribute(file_, "seed", std::int64_t{scene.grains.seed});
   h5::put_attribute(file_, "bulk_density", bulk_density);             // [kg/m3]

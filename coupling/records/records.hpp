@@ -36,13 +36,20 @@
 
 namespace couloir {
 
+// How the program was started, and which one it is. Threads and ranks change no bit.
+struct Started {
+  std::string build;  // build_identity (provenance.hpp)
+  int threads = 1, ranks = 1;
+};
+
 class Records : public Observer {
  public:
   static constexpr int kFormatVersion = 1;
 
   // `scene_text`: the scene as run, complete (write_scene). `checkpoints`: their folder, empty where there are none. `resumed`:
   // state() will open the file of an earlier process. Throws RecordError.
-  Records(const std::string& path, const std::string& scene_text, const std::string& checkpoints = "", bool resumed = false);
+  Records(const std::string& path, const std::string& scene_text, const std::string& checkpoints = "", bool resumed = false,
+          Started started = {});
   ~Records() override;
   void on_start(const RunStart&) override;
   void on_window(const WindowReport&) override;  // kept in memory until the next frame, or for 256 windows
@@ -84,6 +91,7 @@ class Records : public Observer {
   void write_waiting();
 
   std::string path_, scene_text_, checkpoints_;
+  Started started_;
   bool failed_ = false;
   RunStart start_;
   const ReferenceSurface* surface_ = nullptr;

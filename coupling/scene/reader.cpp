@@ -99,15 +99,8 @@ void apply_override(Node& document, const std::string& key, const std::string& t
   *node = parse_value(text, place);
 }
 
-}  // namespace
-
-Scene read_scene(const std::string& path, const std::string& materials, const Overrides& overrides) {
-  std::error_code error;
-  const std::string file = fs::is_directory(path, error) ? (fs::path(path) / "scene.yaml").string() : path;
-  Scene scene;
-  scene.file = path;
-  scene.text = read_document_text(file);
-
+// The scene whose text this one holds, which stands in `file`.
+Scene bound(Scene scene, const std::string& file, const std::string& materials, const Overrides& overrides) {
   Node document = parse_document(scene.text, file);
   if (document.kind != Node::Kind::mapping) bind(document, scene);  // says what it is instead
   for (const auto& [key, text] : overrides) apply_override(document, key, text, materials);
@@ -120,6 +113,24 @@ Scene read_scene(const std::string& path, const std::string& materials, const Ov
   read_bodies(scene, fs::path(file).parent_path().string());
   check_scene(scene);
   return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path, const std::string& materials, const Overrides& overrides) {
+  std::error_code error;
+  const std::string file = fs::is_directory(path, error) ? (fs::path(path) / "scene.yaml").string() : path;
+  Scene scene;
+  scene.file = path;
+  scene.text = read_document_text(file);
+  return bound(std::move(scene), file, materials, overrides);
+}
+
+Scene read_scene_text(const std::string& text, const std::string& file, const std::string& materials) {
+  Scene scene;
+  scene.file = file;
+  scene.text = text;
+  return bound(std::move(scene), file, materials, {});
 }
 
 Material read_material(const std::string& name, const std::string& materials) {

@@ -15,6 +15,9 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;  // "grains.
 // Checks every key, unit and bound, and the scene as a whole (check.hpp).
 Scene read_scene(const std::string& path, const std::string& materials, const Overrides& = {});
 
+// The same of a text that write_scene made: a run's record has one, which needs no other file. `file`: that it came from.
+Scene read_scene_text(const std::string& text, const std::string& file, const std::string& materials);
+
 // A material of that folder alone. Throws SceneError.
 Material read_material(const std::string& name, const std::string& materials);
 

@@ -260,9 +260,9 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-void record(const SyntheticRun& run, const std::string& folder) {
+void record(const SyntheticRun& run, const std::string& folder, const Started& started) {
   std::filesystem::create_directories(folder);
-  Records records(folder + "/records.h5", "title: Heap onto a wall\n# complete\n");
+  Records records(folder + "/records.h5", "title: Heap onto a wall\n# complete\n", "", false, started);
   ForcesCsv forces(folder + "/forces.csv");
   Xdmf xdmf(folder);
   Summary summary(folder + "/summary.json");

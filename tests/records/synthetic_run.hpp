@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coupling/loop/observer.hpp"
+#include "coupling/records/records.hpp"
 
 namespace couloir::testing {
 
@@ -57,6 +58,6 @@ class TemporaryFolder {
 };
 
 // Plays the run into `folder` with all recording observers.
-void record(const SyntheticRun& run, const std::string& folder);
+void record(const SyntheticRun& run, const std::string& folder, const Started& started = {});
 
 }  // namespace couloir::testing

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "coupling/loop/run.hpp"
+#include "coupling/records/compare.hpp"
 #include "coupling/records/forces_csv.hpp"
 #include "coupling/records/reader.hpp"
 #include "coupling/records/records.hpp"

@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""reproduce_test.py COULOIR SOURCE: runs made again from their own records: what is compared, said, kept and refused."""
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import h5py
+
+COULOIR, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SCENE = SOURCE / "tests/scenes/small_wall.yaml"
+SHORT = ["--set", "duration=0.14 s", "--set", "record.frames=20 ms"]
+
+
+class Reproduce(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.dir = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def couloir(self, *words, code=0):
+        done = subprocess.run([COULOIR, *map(str, words)], capture_output=True, text=True, timeout=300, cwd=self.dir)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done
+
+    def run_scene(self, mode, *more, scene=SCENE, name="run"):
+        self.couloir("run", scene, "--mode", mode, "--no-report", "--out", name, *more)
+
+    def same_bits(self, *words):
+        done = self.couloir("reproduce", "run", *words)
+        self.assertIn("expected: the same bits\nreproduced: the same bits\n", done.stdout)
+        return done.stdout
+
+    def record(self, name="run"):
+        return h5py.File(self.dir / name / "records.h5", "r+")
+
+    def test_continuum_with_other_threads(self):
+        self.run_scene("continuum", "--set", "record.gauges={foot: {position: [390 mm, 0]}}")
+        said = self.same_bits("--threads", 2)
+        self.assertIn("  threads: 1; now 2\n", said)
+        self.assertIn("the second run was removed", said)
+        self.assertFalse((self.dir / "run-again").exists())
+
+    def test_coupled_and_what_out_keeps(self):
+        self.run_scene("coupled", *SHORT)
+        self.assertIn("the second run: kept", self.same_bits("--out", "kept"))
+        self.couloir("reproduce", "run", "--with", "kept")
+
+    def test_grains(self):
+        self.run_scene("grains", "--set", "duration=30 ms")
+        self.same_bits()
+
+    def test_each_packing(self):
+        self.run_scene("coupled", *SHORT, "--set", "grains.replicates=2")
+        said = json.loads(self.couloir("reproduce", "run", "--json").stdout)
+        self.assertEqual([r["verdict"] for r in said["runs"]], ["same bits"] * 2)
+        self.assertEqual([r["name"] for r in said["runs"]], ["seed 20011", "seed 20012"])
+        shutil.rmtree(next((self.dir / "run/replicates").iterdir()))
+        self.assertIn("is no folder", self.couloir("reproduce", "run", "--with", "run", code=2).stderr)
+
+    def test_a_run_that_was_resumed(self):
+        words = [COULOIR, "run", SCENE, "--mode", "continuum", "--set", "continuum.cell=4 mm", "--set", "record.checkpoint=2 ms",
+                 "--no-report", "--out", "run"]
+        process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=self.dir)
+        while process.poll() is None and not (self.dir / "run/checkpoint/state").exists():
+            time.sleep(0.001)
+        os.kill(process.pid, signal.SIGINT)
+        self.assertEqual(process.wait(timeout=60), 3)
+        said = self.couloir("reproduce", "run", code=2).stderr
+        self.assertIn("run: this run is not done, its record says interrupted", said)
+        self.couloir("resume", "run", "--no-report")
+        self.same_bits()
+
+    def test_from_the_record_alone(self):
+        """The scene's folder, its STL file and the material's file are not looked at again, nor an edited scene.yaml."""
+        dam = self.dir / "dam"
+        shutil.copytree(SOURCE / "experiments/catching_dam", dam)
+        self.run_scene("continuum", "--set", "duration=0.1 s", "--set", "continuum.cell=40 mm", scene=dam)
+        shutil.rmtree(dam)
+        (self.dir / "run/scene.yaml").write_text("gone\n")
+        self.same_bits()
+
+    def test_other_numbers_of_the_same_build_are_a_failure(self):
+        self.run_scene("continuum")
+        with self.record() as file:
+            file["forces/wall/fx"][200] += 1e-9
+        done = self.couloir("reproduce", "run", code=1)
+        self.assertIn("force on wall", done.stdout)
+        self.assertIn("first other bits: forces/wall/fx row 200", done.stdout)
+        self.assertIn("NOT reproduced: the same build on the same kind of machine must give the same bits", done.stdout)
+        self.assertTrue((self.dir / "run-again/summary.json").exists(), "kept on difference")
+
+    def test_numbers_of_another_build_are_held_to_a_tolerance(self):
+        self.run_scene("continuum")
+        with self.record() as file:
+            most = max(abs(file["forces/wall/fx"][()]))
+            file["forces/wall/fx"][200] += 0.01 * most
+            file.attrs["git_revision"] = "of another time"
+        said = self.couloir("reproduce", "run", "--out", "again", code=1).stdout
+        self.assertIn("git revision: of another time; now ", said)
+        self.assertIn("NOT reproduced: beyond the tolerance of 1e-06", said)
+        said = self.couloir("reproduce", "run", "--with", "again", "--tolerance", "2 %").stdout
+        self.assertIn("reproduced: not the same bits, but all quantities agree within 0.02", said)
+
+    def test_refuses_what_cannot_be_compared(self):
+        self.assertIn("nowhere is no folder", self.couloir("reproduce", "nowhere", code=2).stderr)
+        (self.dir / "empty").mkdir()
+        self.assertIn("holds no records.h5", self.couloir("reproduce", "empty", code=2).stderr)
+        self.run_scene("continuum", "--set", "duration=50 ms")
+        for words in (["--tolerance", "2 mm"], ["--tolerance", "much"]):
+            self.assertIn("must be a share of each quantity's largest value", self.couloir("reproduce", "run", *words, code=2).stderr)
+        self.run_scene("continuum", "--set", "duration=40 ms", name="other")
+        self.assertIn("other is a run of another scene than run", self.couloir("reproduce", "run", "--with", "other", code=2).stderr)
+        with self.record() as file:
+            scene = file.attrs["scene"]
+            file.attrs["scene"] = scene.replace("cfl:", "courant:")
+        said = self.couloir("reproduce", "run", code=2).stderr
+        self.assertIn("the scene in its record is none for this program", said)
+        self.assertIn("courant is unknown", said)
+        with self.record() as file:
+            file.attrs["format_version"] = 7
+        self.assertIn("its record is of layout 7, this program reads 1", self.couloir("reproduce", "run", code=2).stderr)
+        (self.dir / "run/records.h5").write_bytes((self.dir / "run/records.h5").read_bytes()[:3000])
+        self.assertIn("run: its record cannot be read", self.couloir("reproduce", "run", code=2).stderr)
+        self.assertEqual(sorted(p.name for p in self.dir.iterdir()), ["empty", "other", "run"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
