@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "coupling/plan/build.hpp"
+#include "coupling/plan/mass_point.hpp"
 #include "coupling/plan/release.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/release_shape.hpp"
@@ -16,9 +17,10 @@ constexpr int stations = 400;
 
 struct Spread {
   double volume, deepest, half_x, half_y, speed, most_y;
+  double along(double time) const { return half_x + speed * time; }
+  double across(double time) const { return std::min(half_y + speed * time, most_y); }
   double depth(double time) const {
-    const double lx = half_x + speed * time, ly = std::min(half_y + speed * time, most_y);
-    return std::min(deepest, volume / (0.5 * std::numbers::pi * lx * ly));  // paraboloid of that base
+    return std::min(deepest, volume / (0.5 * std::numbers::pi * along(time) * across(time)));  // paraboloid of that base
   }
 };
 
@@ -40,24 +42,14 @@ std::vector<FlowEstimate> flow_estimate(const Scene& scene) {
                       scene.terrain.width / 2};
 
   std::vector<FlowEstimate> line;
-  const double step = (scene.terrain.total_length() - start) / stations;
-  double time = 0, u = u0;
-  for (int n = 0; n <= stations; ++n) {
-    FlowEstimate here;
-    here.x = start + n * step;
-    here.time = time;
-    here.velocity = u;
-    const double zeta = surface.angle(here.x);
-    here.depth = !(uniform || fed) ? spread.depth(time) : u > 0 && u0 > 0 ? std::min(h0 * u0 / u, 2 * h0) : h0;
-    here.froude = u / std::sqrt(g * std::cos(zeta) * here.depth);
+  for (const MassPoint& point : slide(surface, g, mu, {start, 0, u0}, scene.terrain.total_length(), stations)) {
+    FlowEstimate here{.x = point.x, .time = point.time, .velocity = point.velocity};
+    const double u = here.velocity;
+    here.depth = !(uniform || fed) ? spread.depth(here.time) : u > 0 && u0 > 0 ? std::min(h0 * u0 / u, 2 * h0) : h0;
+    here.width = uniform || fed ? scene.terrain.width : 2 * spread.across(here.time);
+    here.front = uniform ? scene.terrain.total_length() : fed ? here.x : here.x + spread.along(here.time);
+    here.froude = u / std::sqrt(g * std::cos(surface.angle(here.x)) * here.depth);
     line.push_back(here);
-
-    const double middle = surface.angle(here.x + step / 2);
-    const double squared = u * u + 2 * g * (std::sin(middle) - mu * std::cos(middle)) * step;
-    const double next = std::sqrt(std::max(0.0, squared));
-    if (u + next <= 1e-9) break;
-    time += 2 * step / (u + next);
-    u = next;
   }
   return line;
 }

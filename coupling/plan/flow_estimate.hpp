@@ -13,12 +13,12 @@ struct FlowEstimate {
   double velocity = 0;  // [m/s]
   double depth = 0;     // [m]
   double froude = 0;    // u / sqrt(g cos(zeta) h)
+  double width = 0;     // [m] across the slope
+  double front = 0;     // [m] where the flow's front is then
 };
 
-// Stations from the middle of the release (uniform: the upper edge) down the terrain, as far as the flow gets, however long that
-// takes:
-//   d(u^2)/dx = 2 g (sin(zeta) - tan(delta) cos(zeta)).
-// A finite mass spreads on both axes with sqrt(g cos(zeta) h0); a fed flow keeps h u. Good to a factor of two in depth: for
+// Stations of a mass point (mass_point.hpp) from the middle of the release (uniform: the upper edge) down the terrain, as far as
+// it gets, however long that takes. A finite mass spreads on both axes with sqrt(g cos(zeta) h0); a fed flow keeps h u. Good to a factor of two in depth: for
 // planning only.
 std::vector<FlowEstimate> flow_estimate(const Scene&);
 

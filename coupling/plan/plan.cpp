@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "continuum/isa/isa.hpp"
 #include "coupling/plan/build.hpp"
@@ -269,6 +270,8 @@ Plan make_plan(const Scene& scene) {
   const double first =
       scene.obstacles.empty() ? scene.terrain.total_length() : std::ranges::min_element(scene.obstacles, {}, &ObstacleSpec::x)->x;
   plan.at_obstacle = flow_estimate_at(scene, first);
+  plan.impacts = impact_estimates(scene);
+  plan.run_out = run_out(flow_estimate(scene)).value_or(std::numeric_limits<double>::quiet_NaN());
 
   if (scene.mode != Mode::grains) {
     plan.grid = grid_of(scene);

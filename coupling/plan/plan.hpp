@@ -11,6 +11,7 @@
 #include "continuum/solver.hpp"
 #include "coupling/plan/effect.hpp"
 #include "coupling/plan/flow_estimate.hpp"
+#include "coupling/plan/impact.hpp"
 #include "coupling/plan/refined_mesh.hpp"
 #include "coupling/plan/validity.hpp"
 #include "coupling/plan/zone.hpp"
@@ -33,6 +34,8 @@ struct Plan {
   double dt = 0;                                // [s] least continuum step expected
   std::int64_t steps = 0;                       // at that step
   FlowEstimate at_obstacle;                     // flow expected at the first obstacle; without one at the terrain's end
+  std::vector<ImpactEstimate> impacts;          // of each obstacle that the flow gets to
+  double run_out = 0;                           // [m] where its middle stops; NaN: not on the terrain
   std::vector<ShallowVerdict> shallow;          // where the shallow model holds, all modes
   std::vector<PlannedZone> zones;               // mode coupled
   std::array<std::int64_t, 3> grains{};         // greatest number expected at once, by Mode; 0 where the scene has no diameter

@@ -53,6 +53,21 @@ std::string growth_text(const PlannedZone& zone, const Grid& grid) {
                      len(widest.x0), len(widest.x1), len(widest.y0), len(widest.y1));
 }
 
+// By a mass point; nothing is solved.
+std::string estimate_text(const Plan& plan) {
+  std::vector<std::string> lines;
+  for (const ImpactEstimate& i : plan.impacts)
+    lines.push_back(fmt::format("{}: front after {:.3g} s; {:.3g} m/s, {:.3g} mm deep, {:.3g} N ({:.3g} N of it hydrostatic)",
+                                i.obstacle, i.arrival, i.velocity, i.depth * 1e3, i.force(), i.hydrostatic));
+  if (!std::isnan(plan.run_out)) lines.push_back(fmt::format("the middle of the flow stops at x {:.3g} m", plan.run_out));
+  if (lines.empty()) return "";
+  lines.emplace_back(
+      "a mass point and rho u^2 h b, nothing solved: times and speeds within a third, forces within a factor of three");
+  std::string out;
+  for (const std::string& line : lines) out += fmt::format("{:<10} {}\n", &line == &lines.front() ? "estimate" : "", line);
+  return out;
+}
+
 }  // namespace
 
 std::string plan_text(const Plan& plan) {
@@ -66,6 +81,7 @@ std::string plan_text(const Plan& plan) {
     out += fmt::format("scheme     {}, limiter {}; instructions {}\n", plan.scheme, plan.limiter, plan.instruction_set);
     out += fmt::format("steps      about {} of {:.2g} ms\n", plan.steps, plan.dt * 1e3);
   }
+  out += estimate_text(plan);
   for (const ShallowVerdict& v : plan.shallow)
     out += fmt::format("{:<10} {}\n", &v == &plan.shallow.front() ? "shallow" : "", v.sentence());
   for (const PlannedZone& zone : plan.zones) {
@@ -128,6 +144,13 @@ nlohmann::json plan_json(const Plan& plan) {
                   {"depth", plan.at_obstacle.depth},
                   {"velocity", plan.at_obstacle.velocity},
                   {"froude", plan.at_obstacle.froude}};
+  json["estimate"] = {{"run_out", std::isnan(plan.run_out) ? nlohmann::json() : nlohmann::json(plan.run_out)},
+                      {"obstacles", nlohmann::json::object()}};
+  for (const ImpactEstimate& i : plan.impacts) {
+    json["estimate"]["obstacles"][i.obstacle] = {{"arrival", i.arrival},       {"velocity", i.velocity},
+                                                 {"depth", i.depth},           {"force", i.force()},
+                                                 {"force_dynamic", i.dynamic}, {"force_hydrostatic", i.hydrostatic}};
+  }
   json["memory"] = plan.memory;
   json["replicates"] = plan.replicates;
   json["time"] = {{"continuum", plan.time_continuum}, {"engine", plan.time_engine}, {"total", plan.time}};

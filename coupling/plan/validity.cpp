@@ -17,11 +17,6 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double steepest = 45 * degree, most_curvature = 0.3, most_acceleration = 0.5, strongest_jump = 2, fewest_grains = 5,
                  tallest_release = 0.5;
 
-// How the flow must turn to climb an obstacle: by which angle, within which length of bed.
-struct Turn {
-  double angle = 0, length = 0;  // [rad], [m]
-};
-
 // The steepest face that looks upstream, where it is at least as high as the flow is deep or half as high as the obstacle.
 Turn turn_at(const SolidBody& body, double depth) {
   Turn out;
@@ -37,6 +32,20 @@ Turn turn_at(const SolidBody& body, double depth) {
   return out;
 }
 
+ShallowTest at_most(const std::string& name, double value, double limit, double unit = 1, const char* word = "") {
+  return {name, fmt::format("{:.2g}{}, limit {:.2g}{}", value / unit, word, limit / unit, word), value, limit, value <= limit};
+}
+
+void add_grains(ShallowVerdict& verdict, const Scene& scene, const FlowEstimate& flow) {
+  const double d = scene.grains.diameter > 0 ? scene.grains.diameter : scene.material.diameter;
+  if (d <= 0) return;
+  const double count = flow.depth / d;
+  verdict.tests.push_back({"depth over diameter", fmt::format("{:.2g}, at least {:.2g}", count, fewest_grains), count,
+                           fewest_grains, count >= fewest_grains});
+}
+
+}  // namespace
+
 Turn turn_at(const ObstacleSpec& o, double depth) {
   switch (o.shape) {
     case ObstacleSpec::Shape::mesh:
@@ -51,20 +60,6 @@ Turn turn_at(const ObstacleSpec& o, double depth) {
       return {std::numbers::pi / 2, 0};
   }
 }
-
-ShallowTest at_most(const std::string& name, double value, double limit, double unit = 1, const char* word = "") {
-  return {name, fmt::format("{:.2g}{}, limit {:.2g}{}", value / unit, word, limit / unit, word), value, limit, value <= limit};
-}
-
-void add_grains(ShallowVerdict& verdict, const Scene& scene, const FlowEstimate& flow) {
-  const double d = scene.grains.diameter > 0 ? scene.grains.diameter : scene.material.diameter;
-  if (d <= 0) return;
-  const double count = flow.depth / d;
-  verdict.tests.push_back({"depth over diameter", fmt::format("{:.2g}, at least {:.2g}", count, fewest_grains), count,
-                           fewest_grains, count >= fewest_grains});
-}
-
-}  // namespace
 
 bool ShallowVerdict::holds() const {
   return std::ranges::all_of(tests, [](const ShallowTest& t) { return t.holds || t.name == "depth over diameter"; });

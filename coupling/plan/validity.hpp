@@ -25,6 +25,13 @@
 
 namespace couloir {
 
+// How the flow must turn to climb an obstacle: by which angle, within which length of bed.
+struct Turn {
+  double angle = 0, length = 0;  // [rad], [m]
+};
+// `depth` of the flow: of a mesh only faces count that are as high, or half as high as the obstacle.
+Turn turn_at(const ObstacleSpec&, double depth);
+
 struct ShallowTest {
   std::string name;  // "slope of its front"
   std::string text;  // "90 deg, limit 45 deg"
