@@ -72,6 +72,7 @@ int main(int argc, char** argv) {
   add_report(app, exit_code);
   add_check(app, exit_code);
   add_study(app, exit_code);
+  add_advise(app, exit_code);
   add_calibrate(app, exit_code);
   add_bench(app, exit_code);
   if (argc > 1 && argv[1][0] != '-' && unknown_verb(app, argv[1])) return 2;

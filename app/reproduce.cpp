@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -10,7 +9,6 @@
 #include "app/replicates.hpp"
 #include "app/scene_options.hpp"
 #include "app/verbs.hpp"
-#include "coupling/cases/case_unit.hpp"
 #include "coupling/plan/limits.hpp"
 #include "coupling/records/record_error.hpp"
 #include "coupling/records/records.hpp"
@@ -69,15 +67,7 @@ std::string free_beside(const std::string& run) {
 }
 
 double tolerance_of(const ReproduceVerb& verb, bool grains) {
-  if (verb.tolerance.empty()) return default_tolerance(grains);
-  try {
-    const auto [number, unit] = parse_case_value(verb.tolerance);
-    const double value = number * unit.si;
-    if ((unit.text.empty() || unit.text == "%") && value >= 0 && std::isfinite(value)) return value;
-  } catch (const std::invalid_argument&) {
-  }
-  throw SceneError(
-      fmt::format("--tolerance {}: must be a share of each quantity's largest value, such as 1e-6 or 2 %", verb.tolerance));
+  return verb.tolerance.empty() ? default_tolerance(grains) : share_of("--tolerance", verb.tolerance, "1e-6 or 2 %");
 }
 
 struct PackingFolders {

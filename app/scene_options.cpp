@@ -1,5 +1,7 @@
 #include "app/scene_options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <thread>
@@ -31,12 +33,25 @@ void SceneOptions::declare(CLI::App& verb) {
       ->allow_extra_args(false);
 }
 
-Scene SceneOptions::read() const {
-  Overrides overrides;
-  if (!mode.empty()) overrides.emplace_back("mode", mode);
+Overrides SceneOptions::overrides() const {
+  Overrides out;
+  if (!mode.empty()) out.emplace_back("mode", mode);
   const Overrides given = overrides_of(set);
-  overrides.insert(overrides.end(), given.begin(), given.end());
-  return read_scene(path, materials_folder(), overrides);
+  out.insert(out.end(), given.begin(), given.end());
+  return out;
+}
+
+Scene SceneOptions::read() const {
+  return read_scene(path, materials_folder(), overrides());
+}
+
+double share_of(const std::string& option, const std::string& text, const std::string& example) {
+  try {
+    const auto [number, unit] = parse_case_value(text);
+    if ((unit.text.empty() || unit.text == "%") && number >= 0) return number * unit.si;
+  } catch (const std::invalid_argument&) {  // said below
+  }
+  throw SceneError(fmt::format("{} {}: must be a share of at least 0, such as {}", option, text, example));
 }
 
 void CaseOptions::declare(CLI::App& verb, const std::string& quick_help, const std::string& json_help) {

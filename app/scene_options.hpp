@@ -15,7 +15,8 @@ struct SceneOptions {
   std::vector<std::string> set;
 
   void declare(CLI::App&);
-  Scene read() const;  // throws SceneError
+  Overrides overrides() const;  // both throw SceneError
+  Scene read() const;
 };
 
 // Those that check and study share: which cases, and how their runs are made.
@@ -29,6 +30,9 @@ struct CaseOptions {
   void declare(CLI::App&, const std::string& quick_help, const std::string& json_help);
   CaseChoice choice() const;  // throws SceneError
 };
+
+// A share, as after an option: "2 %", "1e-6". Throws SceneError, with the example.
+double share_of(const std::string& option, const std::string& text, const std::string& example);
 
 // The program itself, for runs in processes of their own.
 std::string own_program();

@@ -13,6 +13,7 @@
 #include "app/verbs.hpp"
 #include "coupling/records/text_file.hpp"
 #include "coupling/scene/scene_error.hpp"
+#include "coupling/study/ladder.hpp"
 #include "coupling/study/study_table.hpp"
 #include "coupling/study/study_text.hpp"
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 struct StudyVerb : CaseOptions {
   std::string path, out;
-  bool dry_run = false, no_report = false;
+  bool dry_run = false, no_report = false, keep = false;
 };
 
 std::string study_file(const std::string& path) {
@@ -48,7 +49,7 @@ fs::path study_folder(const StudyVerb& verb, const Study& study) {
 
 int dry_run(const StudyVerb& verb, const Study& study, const RunPool& pool, int jobs) {
   std::vector<DryRow> dry;
-  for (const StudyRow& row : study.rows) dry.push_back({!row.search && pool.done(row.scene, row.set)});
+  for (const StudyRow& row : study.rows) dry.push_back({row.known || (!row.search && pool.done(row.scene, row.set))});
   if (verb.json)
     fmt::print("{}\n", dry_run_json(study, dry).dump(2));
   else
@@ -77,8 +78,24 @@ class Screen {
   bool terminal_;
 };
 
+// ladder.json in the study's folder and, where it shall be kept, beside study.yaml; a ladder with rungs missing is not kept.
+// Returns the one to look at.
+std::string keep_ladder(const StudyVerb& verb, const Study& study, const std::vector<StudyResult>& results,
+                        const fs::path& folder, bool whole) {
+  if (!study.ladder) return "";
+  const std::string text = ladder_json(study, results).dump(2) + "\n", own = (folder / "ladder.json").string();
+  write_atomically(own, text);
+  if (!verb.keep || !whole) return own;
+  const std::string kept = (fs::path(study_file(verb.path)).parent_path() / "ladder.json").string();
+  write_atomically(kept, text);
+  return kept;
+}
+
 int study(const StudyVerb& verb) {
   const Study study = read_study(study_file(verb.path), verb.choice(), materials_folder());
+  if (verb.keep && !study.ladder) throw SceneError(verb.path + ": --keep keeps a ladder, but this study has none");
+  if (verb.keep && verb.quick)
+    throw SceneError(verb.path + ": --keep and --quick: the short ladder is none to go by; leave out one");
   const int jobs = jobs_or_cores(verb.jobs);
   RunPool pool(own_program(), verb.runs, materials_folder(), jobs);
   if (verb.dry_run) return dry_run(verb, study, pool, jobs);
@@ -103,16 +120,20 @@ int study(const StudyVerb& verb) {
   const std::vector<StudyTableColumn> table = study_table(study, results);
   write_study_h5(h5, study, status, results);
   write_atomically(csv, study_csv(table));
+  const std::string ladder = keep_ladder(verb, study, results, folder, whole && good);
   std::string page;
   if (!verb.no_report) {
     run_python(report_script("study.py"), {h5, "--out", folder.string()}, "the study's pictures could not be drawn");
     page = (folder / "index.html").string();
   }
   if (verb.json) {
-    const nlohmann::ordered_json out{{"study", study.name}, {"status", status}, {"csv", csv},
-                                     {"hdf5", h5},          {"report", page},   {"rows", study_json(table)}};
+    const nlohmann::ordered_json out{
+        {"study", study.name}, {"status", status},         {"csv", csv}, {"hdf5", h5}, {"report", page},
+        {"ladder", ladder},    {"rows", study_json(table)}};
     fmt::print("{}\n", out.dump(2));
   } else {
+    if (study.ladder) fmt::print("\n{}", ladder_text(study, results));
+    if (!ladder.empty()) fmt::print("ladder: {}\n", ladder);
     fmt::print("\n{}table: {}, {}\n{}", results_table(study, results), csv, h5, page.empty() ? "" : "pictures: " + page + "\n");
   }
   if (!whole) {
@@ -133,6 +154,8 @@ void add_study(CLI::App& app, int& exit_code) {
   verb->add_option("STUDY", options->path, "an experiment's folder, or a study.yaml")->required();
   options->declare(*verb, "the short variants that its tables name", "print the rows alone, machine-readable");
   verb->add_flag("--dry-run", options->dry_run, "list what would run and what it costs by the plan; runs nothing");
+  verb->add_flag("--keep", options->keep,
+                 "write the ladder beside study.yaml too, as ladder.json, where couloir advise finds it");
   verb->add_option("--out", options->out, "folder of the table and the pictures; default: runs/study-<experiment>");
   verb->add_flag("--no-report", options->no_report, "leave out the pictures");
   verb->callback([options, &exit_code] { exit_code = study(*options); });

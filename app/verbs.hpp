@@ -14,6 +14,7 @@ void add_reproduce(CLI::App&, int& exit_code);
 void add_report(CLI::App&, int& exit_code);
 void add_check(CLI::App&, int& exit_code);
 void add_study(CLI::App&, int& exit_code);
+void add_advise(CLI::App&, int& exit_code);
 void add_calibrate(CLI::App&, int& exit_code);
 void add_bench(CLI::App&, int& exit_code);
 

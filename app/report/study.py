@@ -16,6 +16,7 @@ import numpy as np
 
 import style
 from page import number, page, picture, section, write_page
+from study_ladder import ladder_section
 from study_read import Layout, NoStudy, Study, file_name
 from style import plt
 
@@ -161,7 +162,11 @@ def study_page(study, out):
     good = count["failed"] == count["not run"] == 0
     verdict = ", ".join(f"<b>{n}</b> rows {status}" for status, n in count.items() if n)
     body = ""
+    if study.ladder:
+        body += section("What accuracy costs", ladder_section(study.ladder, out / "ladder.png"))
     for name, rows in study.tables():
+        if study.ladder and name == "ladder":
+            continue
         drawn = draw_table(study, name, rows, out / f"{file_name(name)}.png")
         caption = ("Left: against what was set; bands and bars: scatter of the replicates (standard deviation). "
                    "Right: the same against the processor time that the runs of a point took, beside it what was set.")

@@ -1,5 +1,6 @@
 """study.h5: the columns of a study's table, and its rows gathered into the lines of a picture."""
 
+import json
 import re
 
 import h5py
@@ -33,6 +34,7 @@ class Study:
                 if file.attrs.get("format") != "couloir study":
                     raise NoStudy(f"{path} is no table of a study; give the study.h5 that `couloir study` wrote")
                 self.attributes = {name: file.attrs[name] for name in file.attrs}
+                self.ladder = json.loads(file["ladder"][0]) if "ladder" in file else None
                 self.columns = {name: Column(file["rows"][name]) for name in str(file.attrs["columns"]).split("\n")}
         except OSError as error:
             raise NoStudy(f"{path} cannot be read: {error}") from error

@@ -4,6 +4,7 @@
 
 #include "coupling/records/h5.hpp"
 #include "coupling/records/provenance.hpp"
+#include "coupling/study/ladder.hpp"
 #include "coupling/study/study_table.hpp"
 
 namespace couloir {
@@ -32,6 +33,11 @@ void write(const std::string& path, const Study& study, const std::string& statu
     const h5::Handle set(H5Dopen2(rows, c.name.c_str(), H5P_DEFAULT), path + " could not be written");
     h5::put_attribute(set, "role", c.role);
     h5::put_attribute(set, "label", c.label);
+  }
+  if (study.ladder) {
+    h5::TextSeries ladder(file, "ladder", {"", "ladder.json: what each rung is off by and costs, and which to take"});
+    ladder.add(ladder_json(study, results).dump());
+    ladder.write();
   }
   h5::flush(file, path);
 }

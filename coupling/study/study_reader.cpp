@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <limits>
 #include <optional>
 
@@ -13,6 +14,8 @@
 #include "coupling/scene/names.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "coupling/study/blank_summary.hpp"
+#include "coupling/study/ladder_reader.hpp"
+#include "coupling/study/mass_point_run.hpp"
 #include "coupling/study/study.hpp"
 #include "coupling/study/study_columns.hpp"
 #include "coupling/study/study_unit.hpp"
@@ -20,6 +23,7 @@
 namespace couloir {
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr long most_replicates = 1000;
 constexpr long most_rows = 100000;
 
@@ -54,15 +58,21 @@ class Reader : CaseReader {
       : CaseReader(file, choice), materials_(materials) {}
 
   Study read() {
-    study_.name = experiment_name(folder());
+    const std::string stem = std::filesystem::path(file()).stem().string();
+    study_.name = experiment_name(folder()) + (stem == "study" ? "" : "-" + stem);
     study_.text = read_document_text(file());
     const Node document = parse_document(study_.text, file());
-    const CaseFields top(document, "study.yaml", {"title", "scene", "variants", "modes", "replicates", "quantities", "tables"});
+    const CaseFields top(document, "study.yaml",
+                         {"title", "scene", "variants", "modes", "replicates", "quantities", "tables", "ladder"});
     study_.title = top.text("title", study_.name);
     read_top(top);
     const Shared shared = read_shared(top, {});
-    if (top.list("tables").empty()) throw SceneError(file() + ":1: there is nothing to run; give tables");
+    const Node* ladder = top.find("ladder");
+    if (top.list("tables").empty() && !ladder) throw SceneError(file() + ":1: there is nothing to run; give tables, or a ladder");
     for (const Node& item : top.list("tables")) add_table(item, shared);
+    if (ladder && top.find("variants"))
+      throw SceneError(ladder->place + ": a ladder stands in a file without variants; write what they set into its rungs");
+    if (ladder) add_ladder(*ladder, shared);
     if (study_.rows.empty())
       throw SceneError(file() + ": there is nothing to run: no table is left; give another --variant, or leave out --quick");
     return std::move(study_);
@@ -206,6 +216,66 @@ class Reader : CaseReader {
       throw SceneError(fmt::format("{}: these are more than {} rows; leave some values out", cells.place, most_rows));
   }
 
+  void add_ladder(const Node& node, const Shared& of_file) {
+    const LadderNode given(node, *this);
+    const Shared shared = read_shared(given.fields, of_file);
+    Ladder& ladder = study_.ladder.emplace();
+    if (!given.errors.empty()) ladder.errors = given.errors;
+    const std::size_t before = study_.rows.size();
+    for (const LadderRung& rung : given.rungs) {
+      const std::size_t first = study_.rows.size();
+      add_table(rung.table, shared);
+      if (study_.rows.size() == first) continue;  // left out by --quick
+      add_rung(rung, first);
+    }
+    if (study_.rows.size() == before)
+      throw SceneError(node.place + ": no rung is left; leave out --quick, or give some of them other words for it");
+    ladder.quantities = study_.rows[before].quantities;
+    const auto own = std::ranges::find(ladder.rungs, given.reference, &Rung::name);
+    if (!given.reference.empty() && own == ladder.rungs.end())
+      throw SceneError(fmt::format("{}: the reference, '{}', is left out by --quick; give it what it shall set then",
+                                   given.fields.need("reference").place, given.reference));
+    if (!given.reference.empty()) ladder.reference = static_cast<int>(own - ladder.rungs.begin());
+    if (!given.reference.empty() && ladder.rungs[static_cast<std::size_t>(ladder.reference)].mode == mass_point_mode)
+      throw SceneError(given.fields.need("reference").place +
+                       ": a mass point is no reference; take grains, or a value with its source");
+    for (const StudyQuantity& q : ladder.quantities) {
+      if (!given.reference.empty()) break;
+      const auto value = std::ranges::find(given.values, q.path, &LadderValue::path);
+      if (value == given.values.end())
+        throw SceneError(fmt::format("{}: reference: there is no value for {}", given.fields.need("reference").place, q.path));
+      ladder.values.push_back({in_unit_of(q, value->value, value->unit, value->node->place), value->source});
+    }
+    CaseRun base;
+    base.name = "ladder", base.scene = study_.rows[before].scene, base.place = node.place;
+    if (const Node* set = given.fields.find("set")) base.set = overrides(*set, "set");
+    base.set.insert(base.set.end(), command_line().begin(), command_line().end());
+    ladder.scene = likeness(scenes_of(base, materials_).back());
+  }
+
+  // The rows from `first` on, as one of the ladder.
+  void add_rung(const LadderRung& given, std::size_t first) {
+    StudyRow& row = study_.rows[first];
+    const Scene scene = scenes_of(row, materials_).back();
+    Rung rung{given.name, row.mode, {}, nan, nan, row.planned};
+    if (const Node* set = given.node->find("set")) rung.set = overrides(*set, "set");
+    if (given.mode == mass_point_mode) {
+      study_.rows.resize(first + 1);  // nothing in it is random
+      rung.mode = row.mode = mass_point_mode;
+      row.seed = 0, row.planned = rung.planned = 0;
+      std::erase_if(row.set, [](const auto& one) { return one.first == "grains.seed"; });
+      row.known = mass_point_summary(scene);
+    } else {
+      if (scene.mode != Mode::grains) rung.cells_in_depth = depth_before(scene) / scene.continuum.cell;
+      if (scene.mode != Mode::continuum) rung.grains_in_depth = depth_before(scene) / scene.grains.diameter;
+    }
+    for (std::size_t k = first; k < study_.rows.size(); ++k) {
+      study_.rows[k].table = "ladder";
+      study_.rows[k].rung = static_cast<int>(study_.ladder->rungs.size());
+    }
+    study_.ladder->rungs.push_back(rung);
+  }
+
   static double planned_time(const StudyRow& row, const Scene& scene) {
     try {
       const Plan plan = make_plan(scene);
@@ -246,13 +316,16 @@ class Reader : CaseReader {
     }
     auto [value, unit] = parsed(cell, column.reference, parse_case_value);
     if (unit.text.empty() && !column.unit.empty()) unit = parsed(*column.node->find("unit"), "unit", parse_case_unit);
-    if (!unit.text.empty()) {
-      if (unit.quantity != q->unit.quantity)
-        throw SceneError(fmt::format("{}: the reference is in {}, but {} in {}", cell.place, unit.text, q->path,
-                                     q->unit.text.empty() ? "no unit" : q->unit.text));
-      value *= unit.si / q->unit.si;
-    }
-    row.references.emplace_back(column.reference, StudyReference{value, column.source});
+    row.references.emplace_back(column.reference, StudyReference{in_unit_of(*q, value, unit, cell.place), column.source});
+  }
+
+  // A reference's value, which may have another unit than the quantity is shown in.
+  static double in_unit_of(const StudyQuantity& q, double value, const CaseUnit& unit, const std::string& place) {
+    if (unit.text.empty()) return value;
+    if (unit.quantity != q.unit.quantity)
+      throw SceneError(fmt::format("{}: the reference is in {}, but {} in {}", place, unit.text, q.path,
+                                   q.unit.text.empty() ? "no unit" : q.unit.text));
+    return value * unit.si / q.unit.si;
   }
 
   std::string materials_;

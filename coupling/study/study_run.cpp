@@ -26,7 +26,22 @@ StudyResult blank(const StudyRow& row) {
   return out;
 }
 
+double shown(const nlohmann::json& summary, const StudyQuantity& q, const std::string& place) {
+  return summary_value(summary, q.path, place) / q.unit.si;
+}
+
+// Of a row that needs no run.
+StudyResult known_result(const StudyRow& row) {
+  StudyResult out = blank(row);
+  out.status = StudyResult::Status::done;
+  out.cpu = summary_value(*row.known, "time.cpu", row.place);
+  out.wall = summary_value(*row.known, "time.wall", row.place);
+  for (std::size_t k = 0; k < row.quantities.size(); ++k) out.values[k] = shown(*row.known, row.quantities[k], row.place);
+  return out;
+}
+
 StudyResult result_of(const StudyRow& row, RunPool& pool) {
+  if (row.known) return known_result(row);
   StudyResult out = blank(row);
   const CaseOutcome outcome = run_case(row, pool);
   for (const PooledRun& run : outcome.runs) {
@@ -49,7 +64,7 @@ StudyResult result_of(const StudyRow& row, RunPool& pool) {
     const StudyQuantity& q = row.quantities[k];
     out.values[k] = q.path == "critical"
                         ? outcome.critical * (row.search->unit.empty() ? 1 : parse_case_unit(row.search->unit).si / q.unit.si)
-                        : summary_value(outcome.run.summary, q.path, row.place) / q.unit.si;
+                        : shown(outcome.run.summary, q, row.place);
   }
   return out;
 }

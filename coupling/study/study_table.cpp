@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "coupling/study/ladder.hpp"
+
 namespace couloir {
 namespace {
 
@@ -99,6 +101,20 @@ class Table {
     });
   }
 
+  // Of the ladder's rungs, as shares of the reference.
+  void errors(const std::vector<LadderFigures>& all) {
+    const auto add = [&](std::size_t q, const std::string& name, const std::string& what, double RungFigures::*value) {
+      numbers(column_name(study_.ladder->quantities[q].path) + " " + name, "", name, what, [&, q, value](std::size_t k) {
+        return study_.rows[k].rung < 0 ? nan : all[q].rungs[std::size_t(study_.rows[k].rung)].*value;
+      }).label = study_.ladder->quantities[q].label;
+    };
+    for (std::size_t q = 0; q < all.size(); ++q) {
+      add(q, "error", "of one run of this rung: bias and scatter", &RungFigures::error);
+      add(q, "bias", "of the rung's mean, over the reference", &RungFigures::bias);
+      add(q, "doubt", "to which the bias is known", &RungFigures::doubt);
+    }
+  }
+
   std::vector<StudyTableColumn> columns;
 
  private:
@@ -122,11 +138,15 @@ std::vector<StudyTableColumn> study_table(const Study& study, const std::vector<
   const auto whole = [](double n) { return n; };
   t.texts("table", "label", "of study.yaml", [&](std::size_t k) { return rows[k].table; });
   t.texts("variant", "label", "of study.yaml; empty: it has none", [&](std::size_t k) { return rows[k].variant; });
+  if (study.ladder)
+    t.texts("rung", "label", "of the ladder",
+            [&](std::size_t k) { return rows[k].rung < 0 ? "" : study.ladder->rungs[std::size_t(rows[k].rung)].name; });
   t.texts("mode", "label", "which models ran", [&](std::size_t k) { return rows[k].mode; });
   t.numbers("seed", "", "label", "of the grains; without grains there is none",
             [&](std::size_t k) { return rows[k].seed == 0 ? nan : static_cast<double>(rows[k].seed); });
   for (const StudyParameter& p : study.parameters) t.parameter(p);
   for (const StudyQuantity& q : study.quantities) t.quantity(q);
+  if (study.ladder) t.errors(ladder_figures(study, results));
   t.numbers("replicates", "", "record", "rows of this setting that are done, of which mean and scatter are",
             [&](std::size_t k) { return whole(results[k].replicates); });
   t.numbers("runs", "", "record", "behind this row; more than one: a search",

@@ -4,7 +4,7 @@
 //   study.csv   a header "name [unit]", then the rows; empty: no value
 //   study.h5    /rows/<name>, one dataset a column, with unit, description, role and label; NaN: no value
 //               attributes: format, title, study (the file's text), columns (their names in order), revision, status, total_cpu
-//               (of all runs, each once) ...
+//               (of all runs, each once) ...; and /ladder, the text of ladder.json, where the study has one
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -26,7 +26,12 @@ std::string quantity_text(const StudyRow& row, const StudyResult& result, std::s
   return out;
 }
 
-// Left-aligned columns.
+std::string planned_text(const StudyRow& row) {
+  return row.search ? fmt::format("up to {} runs, {}", row.search->most_runs(), in_words(row.planned)) : in_words(row.planned);
+}
+
+}  // namespace
+
 std::string columns_text(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> width(rows.front().size());
   for (const auto& row : rows)
@@ -41,11 +46,9 @@ std::string columns_text(const std::vector<std::vector<std::string>>& rows) {
   return out;
 }
 
-std::string planned_text(const StudyRow& row) {
-  return row.search ? fmt::format("up to {} runs, {}", row.search->most_runs(), in_words(row.planned)) : in_words(row.planned);
+std::string percent(double share) {
+  return std::isnan(share) ? "-" : fmt::format("{:.2g} %", 100 * share);
 }
-
-}  // namespace
 
 std::string row_line(const StudyRow& row, const StudyResult& result) {
   std::string out = fmt::format("{:<7} {}: ", to_string(result.status), title(row));

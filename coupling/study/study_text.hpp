@@ -16,6 +16,11 @@ std::string progress_line(const StudyProgress&);
 // Row by row: name, quantities with mean and scatter where there are replicates, processor time; counts below.
 std::string results_table(const Study&, const std::vector<StudyResult>&);
 
+// "12 %"; "-" where there is none.
+std::string percent(double share);
+// Left-aligned columns.
+std::string columns_text(const std::vector<std::vector<std::string>>& rows);
+
 // What would run, and what it costs by the plan. `done`: whether the row's run is there already; a search's is not known.
 struct DryRow {
   bool done = false;

@@ -181,6 +181,8 @@ TEST(Effects, OfEveryExperiment) {
     return names;
   };
   const std::map<std::string, Names> expected{
+      {"block_wall", with(with(incline, grains), {"airborne", "solid_bodies"})},
+      {"dam_break", {"depth_averaged_flow", "gravity_along_slope", "basal_friction"}},
       {"chiou_gauge", with(with(chute, grains), {"airborne", "solid_bodies"})},
       {"chiou_refinement", with(chute, {"steps_of_the_bed"})},
       {"chiou_vestolen", with(chute, {"steps_of_the_bed"})},

@@ -116,7 +116,7 @@ class Reproduce(unittest.TestCase):
         self.assertIn("holds no records.h5", self.couloir("reproduce", "empty", code=2).stderr)
         self.run_scene("continuum", "--set", "duration=50 ms")
         for words in (["--tolerance", "2 mm"], ["--tolerance", "much"]):
-            self.assertIn("must be a share of each quantity's largest value", self.couloir("reproduce", "run", *words, code=2).stderr)
+            self.assertIn("must be a share of at least 0, such as 1e-6 or 2 %", self.couloir("reproduce", "run", *words, code=2).stderr)
         self.run_scene("continuum", "--set", "duration=40 ms", name="other")
         self.assertIn("other is a run of another scene than run", self.couloir("reproduce", "run", "--with", "other", code=2).stderr)
         with self.record() as file:

@@ -282,5 +282,88 @@ class Packings(StudyTest):
         self.assertNotIn("replicates", self.run_wall("--mode", "continuum", "--no-report"))
 
 
+LADDER = f"""
+ladder:
+  quantities: [{{quantity: {SPEED}, unit: mm/s}}, gauges.middle.arrival]
+  reference:
+    - {{quantity: {SPEED}, value: {slab_speed(30)} m/s, source: exact}}
+    - {{quantity: gauges.middle.arrival, value: 1 s, source: made up}}
+  errors: [20 %, 0.001 %]
+  rungs:
+    - {{name: point, mode: mass point}}
+    - {{name: coarse, set: {{continuum.cell: 40 mm}}}}
+    - {{name: fine, set: {{continuum.cell: 20 mm}}}}
+"""
+
+
+class Ladders(StudyTest):
+    def test_errors_costs_and_choices_in_all_files(self):
+        self.write(LADDER)
+        done = self.study("slab", "--keep", report=True)
+        self.assertIn(f"{SPEED} against exact: 181.28 mm/s", done.stdout)
+        self.assertIn("for 20 %: ", done.stdout)
+        self.assertIn(f"ladder: slab/ladder.json", done.stdout)
+        kept = json.loads((self.dir / "slab/ladder.json").read_text())
+        self.assertEqual(kept, json.loads((self.dir / "runs/study-slab/ladder.json").read_text()))
+        figures = kept["quantities"][0]["rungs"]
+        for row, f in zip(self.rows(), figures):
+            error = abs(float(row[f"{SPEED} [mm/s]"]) / 1000 / slab_speed(30) - 1)
+            self.assertAlmostEqual(f["error"], error, delta=1e-12)
+            self.assertAlmostEqual(float(row[f"{SPEED} error"]), error, delta=1e-12)
+        self.assertEqual([r["rung"] for r in self.rows()], ["point", "coarse", "fine"])
+        self.assertLess(figures[2]["error"], 0.01)
+        self.assertTrue(figures[0]["front"], "nothing is cheaper than the point")
+        with h5py.File(self.dir / "runs/study-slab/study.h5") as file:
+            self.assertEqual(json.loads(file["ladder"][0]), kept)
+        self.assertTrue((self.dir / "runs/study-slab/ladder.png").stat().st_size > 10000)
+        self.assertIn("What accuracy costs", (self.dir / "runs/study-slab/index.html").read_text())
+
+    def test_a_file_of_another_name_has_a_folder_of_its_own(self):
+        (self.dir / "slab/accuracy.yaml").write_text(LADDER)
+        self.study("slab/accuracy.yaml", "--dry-run")
+        self.study("slab/accuracy.yaml")
+        self.assertTrue((self.dir / "runs/study-slab-accuracy/ladder.json").exists())
+        self.assertFalse((self.dir / "slab/ladder.json").exists())
+
+    def test_what_keeps_no_ladder(self):
+        self.write(LADDER)
+        self.assertIn("the short ladder is none to go by", self.study("slab", "--keep", "--quick", code=2).stderr)
+        self.write(f"tables: [{{name: a, quantities: [{SPEED}]}}]\n")
+        self.assertIn("--keep keeps a ladder, but this study has none", self.study("slab", "--keep", code=2).stderr)
+
+
+class Advise(StudyTest):
+    def advise(self, *words, code=0):
+        done = subprocess.run([COULOIR, "advise", *words], capture_output=True, text=True, timeout=60, cwd=self.dir)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done
+
+    def test_by_a_kept_ladder(self):
+        self.write(LADDER)
+        self.study("slab", "--keep")
+        said = self.advise("slab", "--error", "20 %", "--ladders", ".").stdout
+        self.assertIn("distance 0, much like this scene", said)
+        self.assertRegex(said, "for 20 %: (coarse|fine)\n")
+        command = said.split("couloir run ")[1].splitlines()[0]
+        self.assertIn("mode=continuum", command)
+        done = subprocess.run(f"{COULOIR} run {command} --no-report --out advised", shell=True, capture_output=True, text=True, cwd=self.dir,
+                              timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        whole = json.loads(self.advise("slab", "--error", "0.2", "--ladders", "slab", "--json").stdout)
+        self.assertLess(whole["error"], 0.2)
+        self.assertEqual(whole["distance"], 0)
+        self.assertIn("no rung, not even by the mean of 30 packings",
+                      self.advise("slab", "--error", "0.001 %", "--ladders", ".", "--quantity", "gauges.middle.arrival", code=1).stdout)
+
+    def test_refuses_what_it_cannot_answer(self):
+        self.assertIn("--error is required", self.advise("slab", code=2).stderr)
+        self.assertIn("--error much: must be a share", self.advise("slab", "--error", "much", code=2).stderr)
+        self.assertIn("no model is exact", self.advise("slab", "--error", "0", code=2).stderr)
+        self.assertIn("slab holds no ladder.json", self.advise("slab", "--error", "10 %", "--ladders", "slab", code=2).stderr)
+        (self.dir / "slab/ladder.json").write_text("{")
+        self.assertIn("slab/ladder.json: cannot be read as a ladder", self.advise("slab", "--error", "10 %", "--ladders", "slab", code=2).stderr)
+        self.assertIn("there is no such file", self.advise("nowhere", "--error", "10 %", code=2).stderr)
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
