@@ -34,9 +34,9 @@ def draw_quantity(axes, ladder, quantity):
         axes.step(*zip(*front), where="post", color=style.GREY, linestyle="--", linewidth=1, zorder=0, label="nothing cheaper is better")
     if quantity["floor"]:
         axes.axhspan(0, 100 * quantity["floor"], color=style.GREY, alpha=0.15, linewidth=0, label="one run of the reference")
-    for rung, cpu, f in shown:
-        axes.annotate(rung["name"], (cpu, 100 * max(f["error"], least)), textcoords="offset points", xytext=(6, 4), fontsize=7.5,
-                      color=style.INK)
+    for n, (rung, cpu, f) in enumerate(sorted(shown, key=lambda point: point[1])):  # neighbours' names above and below
+        axes.annotate(rung["name"], (cpu, 100 * max(f["error"], least)), textcoords="offset points", xytext=(7, -11 if n % 2 else 5),
+                      fontsize=7.5, color=style.INK)
     axes.set_xscale("log")
     axes.set_yscale("log")
     for axis in (axes.xaxis, axes.yaxis):
@@ -46,7 +46,7 @@ def draw_quantity(axes, ladder, quantity):
     axes.set_xlabel("processor time of one run [s]")
     axes.set_ylabel("error [%]")
     axes.set_title(quantity["quantity"], loc="left")
-    axes.legend(loc="upper right", fontsize=8)
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), fontsize=8)
 
 
 def draw(ladder, path):
