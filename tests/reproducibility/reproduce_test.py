@@ -15,6 +15,7 @@ import h5py
 
 COULOIR, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 SCENE = SOURCE / "tests/scenes/small_wall.yaml"
+FINE = ["--mode", "continuum", "--set", "continuum.cell=4 mm", "--set", "record.checkpoint=2 ms"]
 SHORT = ["--set", "duration=0.14 s", "--set", "record.frames=20 ms"]
 
 
@@ -38,6 +39,16 @@ class Reproduce(unittest.TestCase):
         done = self.couloir("reproduce", "run", *words)
         self.assertIn("expected: the same bits\nreproduced: the same bits\n", done.stdout)
         return done.stdout
+
+    def interrupted(self, *words, folder):
+        """What a verb says that is stopped once its run has a checkpoint."""
+        process = subprocess.Popen([COULOIR, *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, cwd=self.dir)
+        while process.poll() is None and not (self.dir / folder / "checkpoint/state").exists():
+            time.sleep(0.001)
+        os.kill(process.pid, signal.SIGINT)
+        said = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 3, said)
+        return said
 
     def record(self, name="run"):
         return h5py.File(self.dir / name / "records.h5", "r+")
@@ -67,17 +78,18 @@ class Reproduce(unittest.TestCase):
         self.assertIn("is no folder", self.couloir("reproduce", "run", "--with", "run", code=2).stderr)
 
     def test_a_run_that_was_resumed(self):
-        words = [COULOIR, "run", SCENE, "--mode", "continuum", "--set", "continuum.cell=4 mm", "--set", "record.checkpoint=2 ms",
-                 "--no-report", "--out", "run"]
-        process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=self.dir)
-        while process.poll() is None and not (self.dir / "run/checkpoint/state").exists():
-            time.sleep(0.001)
-        os.kill(process.pid, signal.SIGINT)
-        self.assertEqual(process.wait(timeout=60), 3)
+        self.interrupted("run", SCENE, *FINE, "--no-report", "--out", "run", folder="run")
         said = self.couloir("reproduce", "run", code=2).stderr
         self.assertIn("run: this run is not done, its record says interrupted", said)
         self.couloir("resume", "run", "--no-report")
         self.same_bits()
+
+    def test_an_interrupted_second_run_can_be_gone_on_with(self):
+        self.couloir("run", SCENE, *FINE, "--no-report", "--out", "run")
+        said = self.interrupted("reproduce", "run", folder="run-again")
+        self.assertIn("after couloir resume run-again, couloir reproduce run --with run-again compares the two", said)
+        self.couloir("resume", "run-again", "--no-report")
+        self.same_bits("--with", "run-again")
 
     def test_from_the_record_alone(self):
         """The scene's folder, its STL file and the material's file are not looked at again, nor an edited scene.yaml."""
