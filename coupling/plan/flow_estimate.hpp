@@ -18,8 +18,8 @@ struct FlowEstimate {
 };
 
 // Stations of a mass point (mass_point.hpp) from the middle of the release (uniform: the upper edge) down the terrain, as far as
-// it gets, however long that takes. A finite mass spreads on both axes with sqrt(g cos(zeta) h0); a fed flow keeps h u. Good to a factor of two in depth: for
-// planning only.
+// it gets, however long that takes. A finite mass spreads on both axes with sqrt(g cos(zeta) h0); a fed flow keeps h u. Good to a
+// factor of two in depth: for planning only.
 std::vector<FlowEstimate> flow_estimate(const Scene&);
 
 // At x; the first station upstream of them all, the last downstream.

@@ -62,7 +62,7 @@ std::string estimate_text(const Plan& plan) {
   if (!std::isnan(plan.run_out)) lines.push_back(fmt::format("the middle of the flow stops at x {:.3g} m", plan.run_out));
   if (lines.empty()) return "";
   lines.emplace_back(
-      "a mass point and rho u^2 h b, nothing solved: times and speeds within a third, forces within a factor of three");
+      "a mass point and rho u^2 h b, nothing solved: times and speeds within a half, forces within a factor of three");
   std::string out;
   for (const std::string& line : lines) out += fmt::format("{:<10} {}\n", &line == &lines.front() ? "estimate" : "", line);
   return out;

@@ -54,7 +54,7 @@ TEST(Impact, APlanShowsItWithWhatItIsWorth) {
   const Plan plan = make_plan(s);
   const std::string text = plan_text(plan);
   EXPECT_NE(text.find("estimate   wall: front after "), std::string::npos) << text;
-  EXPECT_NE(text.find("nothing solved: times and speeds within a third, forces within a factor of three"), std::string::npos);
+  EXPECT_NE(text.find("nothing solved: times and speeds within a half, forces within a factor of three"), std::string::npos);
   EXPECT_DOUBLE_EQ(plan_json(plan)["estimate"]["obstacles"]["wall"]["force"].get<double>(), impact_estimates(s)[0].force());
 }
 
