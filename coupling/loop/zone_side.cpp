@@ -101,7 +101,7 @@ void ZoneSide::take_stock() {
   mass_ = zone_->grains_mass(g);
   momentum_ = zone_->grains_momentum(g) + zone_->faces_momentum();
   for (const NewGrain& n : first_.empty() ? zone_->to_insert() : first_) {
-    if (zone_->is_shadow(n.id)) continue;
+    if (!zone_->is_counted(n.id)) continue;
     const double mass = grains_->table().grain_mass(n.radius);
     mass_ += mass;
     momentum_ += mass * along_.dot(Eigen::Vector3d::Map(n.velocity.data()));
@@ -148,7 +148,8 @@ void ZoneSide::rest() {
 void ZoneSide::wake() {
   const Grains& g = grains_->last().grains;
   first_.clear();
-  for (std::size_t i = 0; i < g.size(); ++i) first_.push_back({g.id[i], {g.x[i], g.y[i], g.z[i]}, {}, g.radius[i]});
+  for (std::size_t i = 0; i < g.size(); ++i)
+    if (!g.driven[i]) first_.push_back({g.id[i], {g.x[i], g.y[i], g.z[i]}, {}, g.radius[i]});
   zone_->wake();
   grains_->start(setup(), gauges_);
   take_stock();
@@ -190,7 +191,7 @@ void ZoneSide::take_back() {
   if (!engine()) return;
   zone_->absorb(grains_->last(), flow_.solver(), flow_.airborne());
   std::vector<std::int64_t> left;
-  edge_->take(grains_->last().grains, surface_, left, [&](std::int64_t id) { return !zone_->is_shadow(id); });
+  edge_->take(grains_->last().grains, surface_, left, [&](std::int64_t id) { return zone_->is_counted(id); });
   zone_->take_out(left);
 }
 

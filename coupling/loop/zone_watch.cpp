@@ -89,7 +89,7 @@ ZoneWatch::Calm ZoneWatch::calm(const Zone& zone, bool flow_comes, const Grains&
   const double limit = at_rest * std::sqrt(gravity_ * diameter_);
   long counted = 0, moving = 0;
   for (std::size_t i = 0; i < g.size(); ++i) {
-    if (zone.is_shadow(g.id[i])) continue;
+    if (!zone.is_counted(g.id[i])) continue;
     ++counted;
     if (g.vx[i] * g.vx[i] + g.vy[i] * g.vy[i] + g.vz[i] * g.vz[i] > limit * limit) ++moving;
   }

@@ -16,13 +16,21 @@ void Conveyor::slide(double distance) {
   slid_now_ = distance;
 }
 
-double Conveyor::advance(int segment, const Pull& pull, const std::vector<double>& depth, const Occupied& occupied,
-                         std::int64_t& next_id, std::vector<NewGrain>& out) {
+void Conveyor::advance(int segment, const Pull& pull, const std::vector<double>& depth, const Occupied& occupied,
+                       std::int64_t& next_id, std::vector<NewGrain>& out) {
   State& s = state_[segment];
+  if (s.filled == 0) s.passed = first_after(reach(s));
+  const double before = reach(s);
   s.position += pull.displacement;
-  const double by_end = pull.open_end && slid_now_ != 0 ? take_by_end(segment, pull, depth, occupied, next_id, out) : 0;
-  s.owed += pull.mass - take_by_plane(segment, pull, depth, occupied, next_id, out);
-  return by_end;
+  s.filled = std::min(layer_, s.filled + std::max(0.0, pull.displacement) + std::abs(slid_now_));
+  if (pull.open_end && slid_now_ != 0) take_by_end(segment, pull, depth, occupied, next_id, out);
+  take_by_plane(segment, before, pull, depth, occupied, next_id, out);
+}
+
+long Conveyor::first_after(double come) const {
+  long n = (long(std::floor(come / table_->packing().length)) - 1) * long(block_.size());
+  while (comes_at(n) <= come) ++n;
+  return n;
 }
 
 double Conveyor::comes_at(long n) const {
@@ -52,26 +60,26 @@ NewGrain Conveyor::make(int segment, const Candidate& c, double distance, double
   return {0, face_->place(distance, along, z), v, c.r, face_index_, segment};
 }
 
-double Conveyor::take_by_plane(int segment, const Pull& pull, const std::vector<double>& depth, const Occupied& occupied,
-                               std::int64_t& next_id, std::vector<NewGrain>& out) {
+void Conveyor::take_by_plane(int segment, double before, const Pull& pull, const std::vector<double>& depth,
+                             const Occupied& occupied, std::int64_t& next_id, std::vector<NewGrain>& out) {
   State& s = state_[segment];
-  const double before = s.position - pull.displacement, d = 2 * block_.front().r;
+  const double d = 2 * block_.front().r, come = reach(s) - before;
   const auto [low, high] = face_->reach_of_segment(segment);
   const double area = (high - low) * 4 * d;  // over which a debt is spread
   double taken = 0;
   for (;; ++s.passed) {
     const Candidate& c = grain(s.passed);
     const double x = comes_at(s.passed);
-    if (x > s.position) break;
-    // What was owed at the instant this grain passed, were the flow's mass spread evenly over the displacement.
-    const double share = pull.displacement > 0 ? std::clamp((x - before) / pull.displacement, 0.0, 1.0) : 1.0;
+    if (x > reach(s)) break;
+    // What was due at the instant this grain passed, were the flow's mass spread evenly over the way.
+    const double share = come > 0 ? std::clamp((x - before) / come, 0.0, 1.0) : 1.0;
     for (double along = first_place(c, low); along < high; along += table_->packing().width) {
       // In a wall it would be shot away; what it would have carried stays owed, and the others stand a little higher.
       if (stands_in_wall(along, c.r)) continue;
-      const double owed = s.owed + share * pull.mass - taken, h = depth[face_->cell_at(along)];
-      if (h <= 0 || c.z > table_->cut(table_->bulk_density() * h + owed / area)) continue;
+      const double due = pull.due - (1 - share) * pull.mass - taken, h = depth[face_->cell_at(along)];
+      if (h <= 0 || c.z > table_->cut(table_->bulk_density() * h + due / area)) continue;
       const double m = table_->grain_mass(c.r);
-      if (owed < -4 * m) continue;  // the tail of a flow: nothing left to take
+      if (due < -4 * m) continue;  // the tail of a flow: nothing left to take
       NewGrain g = make(segment, c, -layer_ + (s.position - x), along, pull);
       if (occupied(segment, g.position, c.r)) continue;
       g.id = next_id++;
@@ -79,17 +87,15 @@ double Conveyor::take_by_plane(int segment, const Pull& pull, const std::vector<
       taken += m;
     }
   }
-  return taken;
 }
 
 // Of the block's part that has passed the plane, what has slid into the segment in the last window.
-double Conveyor::take_by_end(int segment, const Pull& pull, const std::vector<double>& depth, const Occupied& occupied,
-                             std::int64_t& next_id, std::vector<NewGrain>& out) const {
+void Conveyor::take_by_end(int segment, const Pull& pull, const std::vector<double>& depth, const Occupied& occupied,
+                           std::int64_t& next_id, std::vector<NewGrain>& out) const {
   const State& s = state_[segment];
   const auto [low, high] = face_->reach_of_segment(segment);
   const double from = slid_now_ > 0 ? low : std::max(low, high + slid_now_);
   const double to = slid_now_ > 0 ? std::min(high, low + slid_now_) : high;
-  double entered = 0;
   for (long n = s.passed - 1; comes_at(n) > s.position - layer_; --n) {
     const Candidate& c = grain(n);
     const double distance = -layer_ + (s.position - comes_at(n));
@@ -100,18 +106,21 @@ double Conveyor::take_by_end(int segment, const Pull& pull, const std::vector<do
       if (occupied(segment, g.position, c.r)) continue;
       g.id = next_id++;
       out.push_back(g);
-      entered += table_->grain_mass(c.r);
     }
   }
-  return entered;
 }
 
 void Conveyor::go_on(int segment, const Conveyor& before, int before_segment) {
   const State& was = before.state_[before_segment];
   state_[segment].position = was.position;
+  state_[segment].filled = was.filled;
   state_[segment].passed = was.passed;
   slid_ = before.slid_;
   slid_now_ = before.slid_now_;
+}
+
+bool Conveyor::filling() const {
+  return std::ranges::any_of(state_, [&](const State& s) { return s.filled < layer_; });
 }
 
 double Conveyor::owed() const {

@@ -17,7 +17,6 @@ Zone::Zone(const ZoneSettings& settings, const Grid& grid, const ReferenceSurfac
       next_id_(settings.first_id) {
   slide_.resize(rim_.faces().size());
   slid_.resize(rim_.faces().size());
-  by_ends_.resize(rim_.faces().size());
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
     const RimFace& face = rim_.faces()[f];
     conveyors_.emplace_back(face, f, table, rim_.layer());
@@ -70,8 +69,7 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
           g.face = out_of;
           g.segment = segment;
           note_driven(g);
-          lent_.lend(m, m * surface_->tangent(surface_->to_surface({g.position[0], g.position[1], g.position[2]}).x)
-                                .dot(Eigen::Vector3d::Map(g.velocity.data())));
+          conveyors_[out_of].fill_up(segment);
         } else {
           handback_.mark_shadow(g.id);
         }
@@ -172,10 +170,7 @@ AdvanceRequest Zone::request(Solver& solver) {
     const RimFace& face = rim_.faces()[f];
     std::vector<double>& given = all_given[f];
     std::vector<double> depth(face.cells);
-    for (int k = 0; k < face.cells; ++k) {
-      const auto [i, j] = rim_.outside_cell(face, k);
-      depth[k] = solver.at(i, j).h;
-    }
+    for (int k = 0; k < face.cells; ++k) depth[k] = outside_depth(solver, face, k, conveyors_[f].filled(face.segment_of_cell(k)));
 
     conveyors_[f].slide(slid_[f]);
     slid_[f] = 0;
@@ -183,16 +178,14 @@ AdvanceRequest Zone::request(Solver& solver) {
     for (int s = 0; s < face.segments; ++s) {
       Segment& segment = segments_[f][s];
       const auto [first, last] = face.cells_of_segment(s);
-      // The layers came filled: what passes before they have moved pays for that.
-      if (fresh_) given[s] = lent_.repay(given[s]);
-      const std::size_t first_new = request.insert.size();
-      const double by_end = conveyors_[f].advance(
-          s, {segment.inflow ? segment.displacement : 0, given[s], segment.raft, slide_[f], segment.inflow && open_end(f, s)},
-          depth, occupied(f, request.insert), next_id_, request.insert);
-      for (std::size_t n = first_new; n < request.insert.size(); ++n) note_driven(request.insert[n]);
-      by_ends_[f].lend(by_end, by_end * speed_along_x(f, segment.raft));
+      conveyors_[f].owe(s, given[s]);
       SegmentDrive& drive = drives[s];
       if (segment.inflow) {
+        const std::size_t first_new = request.insert.size();
+        conveyors_[f].advance(s,
+                              {segment.displacement, given[s], layer_due(solver, f, s), segment.raft, slide_[f], open_end(f, s)},
+                              depth, occupied(f, request.insert), next_id_, request.insert);
+        for (std::size_t n = first_new; n < request.insert.size(); ++n) note_driven(request.insert[n]);
         double force = 0;
         for (int k = first; k < last; ++k) force += push(solver, f, k, segment.raft);
         drive.push = force * face.cell_width * table_->bulk_density();
@@ -201,6 +194,7 @@ AdvanceRequest Zone::request(Solver& solver) {
         drive.along = segment.along;
         drive.least_mass = 5 * table_->mean_mass();
       } else {
+        conveyors_[f].empty(s);
         drive_strip(solver, face, first, last, drive);
       }
       drive.slide = slide_[f];
@@ -214,6 +208,7 @@ AdvanceRequest Zone::request(Solver& solver) {
 
 void Zone::absorb(const Advanced& advanced, Solver& solver, Airborne* airborne) {
   const Grains& g = advanced.grains;
+  note_released(g);
   find_layer(g);
   std::vector<std::vector<Handback::Outside>> outside;
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
@@ -265,17 +260,15 @@ void Zone::take_out(const std::vector<std::int64_t>& ids) {
 }
 
 double Zone::faces_mass() const {
-  double sum = handback_.pending_mass() + remainder_ - lent_.mass;
-  for (const Loan& loan : by_ends_) sum -= loan.mass;
+  double sum = handback_.pending_mass() + remainder_;
   for (const Conveyor& conveyor : conveyors_) sum += conveyor.owed();
   return sum;
 }
 
 // What is owed comes in with its raft.
 double Zone::faces_momentum() const {
-  double sum = handback_.pending_momentum() - lent_.momentum;
+  double sum = handback_.pending_momentum();
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
-    sum -= by_ends_[f].momentum;
     for (int s = 0; s < rim_.faces()[f].segments; ++s) sum += conveyors_[f].owed(s) * speed_along_x(f, segments_[f][s].raft);
   }
   return sum;
@@ -284,14 +277,14 @@ double Zone::faces_momentum() const {
 double Zone::grains_mass(const Grains& g) const {
   double sum = 0;
   for (std::size_t i = 0; i < g.size(); ++i)
-    if (!is_shadow(g.id[i])) sum += table_->grain_mass(g.radius[i]);
+    if (is_counted(g.id[i])) sum += table_->grain_mass(g.radius[i]);
   return sum;
 }
 
 double Zone::grains_momentum(const Grains& g) const {
   double sum = 0;
   for (std::size_t i = 0; i < g.size(); ++i)
-    if (!is_shadow(g.id[i])) {
+    if (is_counted(g.id[i])) {
       const Eigen::Vector3d t = surface_->tangent(surface_->to_surface({g.x[i], g.y[i], g.z[i]}).x);
       sum += table_->grain_mass(g.radius[i]) * (g.vx[i] * t.x() + g.vz[i] * t.z());
     }

@@ -58,11 +58,11 @@ class Zone {
   void take_out(const std::vector<std::int64_t>& ids);  // grains that have left the domain: no longer counted, removed next
 
   const Rim& rim() const { return rim_; }
-  bool is_shadow(std::int64_t id) const { return handback_.is_shadow(id); }
-  double faces_mass() const;      // [kg] owed by conveyors, on its way to the continuum, less what was lent at the start
-  double faces_momentum() const;  // [N s] along x
-  double grains_mass(const Grains&) const;      // [kg] all but shadows
-  double grains_momentum(const Grains&) const;  // [N s] along x, all but shadows
+  bool is_counted(std::int64_t id) const { return !handback_.is_shadow(id) && !is_driven(id); }
+  double faces_mass() const;                    // [kg] owed by conveyors, on its way to the continuum
+  double faces_momentum() const;                // [N s] along x
+  double grains_mass(const Grains&) const;      // [kg] of those that count: neither shadows nor driven
+  double grains_momentum(const Grains&) const;  // [N s] along x, of those
   long inserted() const { return inserted_; }
   long returned() const { return handback_.returned(); }
   const CoarseGrained& field() const { return field_; }
@@ -86,16 +86,11 @@ class Zone {
   std::vector<std::vector<double>> count_passed(const Solver&);
   // Between two windows; into a zone of the same settings. The solver's covered cells are the solver's.
   void state(Archive& a) {
-    a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, beside_, lent_, by_ends_, remainder_, next_id_, steps_,
-      window_, inserted_, fresh_, own_from_, closed_, covered_, slide_, slid_, face_of_driven_);
+    a(conveyors_, handback_, segments_, imposed_, field_, remove_, layer_, beside_, remainder_, next_id_, steps_, window_,
+      inserted_, fresh_, own_from_, closed_, covered_, slide_, slid_, face_of_driven_);
   }
 
  private:
-  struct Loan {                     // of mass that is among the grains, though the flow has not given it
-    double mass = 0, momentum = 0;  // [kg], [N s] along x
-    void lend(double m, double p) { mass += m, momentum += p; }
-    double repay(double m);  // returns [kg] what is more than was lent
-  };
   struct Segment {                            // of a face: what the flow outside does there
     bool inflow = false;                      // a raft stands there: the flow comes in, or grazes a face that slides
     bool fast_outflow = false;                // normal Froude number above 2
@@ -111,12 +106,17 @@ class Zone {
   double push(const Solver&, int face, int k, double raft) const;  // [m3/s2] per unit width and density
   void drive_strip(const Solver&, const RimFace&, int first, int last, SegmentDrive&) const;  // of shadows; cells [first, last)
   void find_layer(const Grains&);
-  void show(const Grains&, Solver&, bool moving);  // in the covered cells
+  void show(const Grains&, Solver&, bool moving);                                     // in the covered cells
+  double layer_due(const Solver&, int face, int segment) const;                       // [kg] Conveyor::Pull
+  double outside_depth(const Solver&, const RimFace&, int k, double distance) const;  // [m] of the flow, [m] before the face
+  void note_released(const Grains&);
   void let_go_of_layer();
+  void take_from_layer(const NewGrain&);
   void thin_out_layer();
   double across(double dy) const;  // [m] the nearest of its periodic images
   void note_driven(const NewGrain&);
-  bool is_beside_sliding_face(const Vec&) const;
+  bool is_driven(std::int64_t id) const { return id < std::int64_t(face_of_driven_.size()) && face_of_driven_[id] >= 0; }
+  bool is_where_layers_come(const Vec&) const;        // elsewhere than at the plane, where no free grain is
   double speed_along_x(int face, double raft) const;  // [m/s] of a driven layer
   Conveyor::Occupied occupied(int face, const std::vector<NewGrain>& inserted) const;
   friend class RimMover;  // zone_move.cpp
@@ -136,21 +136,19 @@ class Zone {
   CoarseGrained field_;
   std::vector<std::int64_t> remove_;
   std::vector<NewGrain> layer_;   // driven grains after the last window, for the overlap test
-  std::vector<NewGrain> beside_;  // free grains at faces that slide, for it, too
-  Loan lent_;                     // the driven layers' first filling
-  std::vector<Loan> by_ends_;     // [face] what came into its driven layer by the ends, and has not left by them
+  std::vector<NewGrain> beside_;  // free grains where new ones may come, for it, too
   double remainder_ = 0;          // [kg] left over from filling with whole grains
   std::int64_t next_id_ = 1, steps_ = 0;
   double window_ = 0;  // [s]
   long inserted_ = 0;
-  bool fresh_ = false;                // no window yet
-  bool closed_ = false;               // at rest
-  int covered_ = -1;                  // the solver's number of the zone
-  std::vector<double> slide_, slid_;  // [face] of its rafts along it [m/s], in the last window [m]
-  std::vector<char> face_of_driven_;  // by id, of grains that are or were driven
-  std::int64_t own_from_ = 0;         // driven grains below this id were not laid by the conveyors that stand there now
-  std::vector<RimMove> move_;         // to tell the engine
-  std::vector<NewGrain> move_fill_;   // with it
+  bool fresh_ = false;                       // no window yet
+  bool closed_ = false;                      // at rest
+  int covered_ = -1;                         // the solver's number of the zone
+  std::vector<double> slide_, slid_;         // [face] of its rafts along it [m/s], in the last window [m]
+  std::vector<signed char> face_of_driven_;  // by id; -1: not driven
+  std::int64_t own_from_ = 0;                // driven grains below this id were not laid by the conveyors that stand there now
+  std::vector<RimMove> move_;                // to tell the engine
+  std::vector<NewGrain> move_fill_;          // with it
 };
 
 }  // namespace couloir

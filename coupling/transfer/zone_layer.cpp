@@ -1,8 +1,7 @@
-// The driven layers before a zone's faces (zone.hpp): what stands there, what is lent to them, what leaves them.
+// The driven layers before a zone's faces (zone.hpp): what stands there, what should, what leaves them.
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "coupling/transfer/grain_bins.hpp"
 #include "coupling/transfer/zone.hpp"
@@ -36,7 +35,7 @@ void Zone::find_layer(const Grains& g) {
   for (std::size_t i = 0; i < g.size(); ++i) {
     const Vec p{g.x[i], g.y[i], g.z[i]};
     if (!g.driven[i]) {
-      if (is_beside_sliding_face(p)) beside_.push_back({g.id[i], p, {}, g.radius[i]});
+      if (is_where_layers_come(p)) beside_.push_back({g.id[i], p, {}, g.radius[i]});
       continue;
     }
     const int f = face_of_driven_[g.id[i]];
@@ -46,17 +45,17 @@ void Zone::find_layer(const Grains& g) {
   }
 }
 
-bool Zone::is_beside_sliding_face(const Vec& p) const {
+bool Zone::is_where_layers_come(const Vec& p) const {
   const double d = settings_.rim.diameter;
   for (int f = 0; f < int(rim_.faces().size()); ++f)
-    if (slide_[f] != 0)
+    if (slide_[f] != 0 || conveyors_[f].filling())
       if (const double s = rim_.faces()[f].distance(p); s > -rim_.layer() - d && s < d) return true;
   return false;
 }
 
 void Zone::note_driven(const NewGrain& g) {
   if (g.id >= std::int64_t(face_of_driven_.size())) face_of_driven_.resize(2 * g.id + 1000, -1);
-  face_of_driven_[g.id] = char(g.face);
+  face_of_driven_[g.id] = static_cast<signed char>(g.face);
 }
 
 bool Zone::open_end(int f, int s) const {
@@ -65,44 +64,74 @@ bool Zone::open_end(int f, int s) const {
   return beyond < 0 || beyond >= int(segments_[f].size()) || !segments_[f][beyond].inflow;
 }
 
-double Zone::Loan::repay(double m) {
-  const double paid = std::min(mass, m);
-  if (mass > 0) momentum -= momentum * paid / mass;
-  mass -= paid;
-  return m - paid;
+double Zone::outside_depth(const Solver& solver, const RimFace& face, int k, double distance) const {
+  auto [i, j] = rim_.outside_cell(face, k);
+  int& at = face.axis() == 0 ? i : j;
+  at -= int(face.sign()) * int((1 - 1e-9) * distance / (face.axis() == 0 ? grid_.dx : grid_.dy));
+  return solver.at(std::clamp(i, 0, grid_.nx - 1), std::clamp(j, 0, grid_.ny - 1)).h;
 }
 
-// Driven grains where the flow has turned away never came in, and those that have slid past their face's end, or before a segment
-// without a raft, will not. They go, beyond what is lent as flow outside, and what is owed where the flow has turned away with
-// them.
+// A layer should hold what the flow holds over its depth, and what is owed.
+double Zone::layer_due(const Solver& solver, int f, int s) const {
+  const RimFace& face = rim_.faces()[f];
+  const auto [first, past] = face.cells_of_segment(s);
+  const double step = face.axis() == 0 ? grid_.dx : grid_.dy, depth = conveyors_[f].filled(s);
+  double due = conveyors_[f].owed(s);
+  for (int k = first; k < past; ++k)
+    for (double from = 0; from < depth; from += step) {
+      const double to = std::min(depth, from + step);
+      due += outside_depth(solver, face, k, 0.5 * (from + to)) * (to - from) * face.cell_width * table_->bulk_density();
+    }
+  for (const NewGrain& g : layer_)
+    if (g.face == f && g.segment == s && is_driven(g.id)) due -= table_->grain_mass(g.radius);
+  return due;
+}
+
+// What has passed a face counts, and pays.
+void Zone::note_released(const Grains& grains) {
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    if (grains.driven[i] || !is_driven(grains.id[i])) continue;
+    const int f = face_of_driven_[grains.id[i]];
+    const RimFace& face = rim_.faces()[f];
+    const int s = face.segment_of_cell(face.cell_at(face.along({grains.x[i], grains.y[i], grains.z[i]})));
+    conveyors_[f].owe(s, -table_->grain_mass(grains.radius[i]));
+    face_of_driven_[grains.id[i]] = -1;
+  }
+}
+
+// Driven grains where the flow has turned away will not come in, nor those that have slid past their face's end, or before a
+// segment without a raft. What is owed where the flow has turned away goes back to it with its own
+// velocity.
 void Zone::let_go_of_layer() {
-  std::set<std::pair<int, int>> departed;
   for (const NewGrain& g : layer_) {
     const RimFace& face = rim_.faces()[g.face];
     const double along = face.along(g.position);
     const bool past_end = (slide_[g.face] > 0 && along >= face.extent()) || (slide_[g.face] < 0 && along < 0);
-    const bool inflow = segments_[g.face][g.segment].inflow;
-    if (inflow && !past_end) continue;
-    if (!inflow) departed.insert({g.face, g.segment});
-    remove_.push_back(g.id);
-    handback_.mark_shadow(g.id);
-    const double mass = by_ends_[g.face].repay(table_->grain_mass(g.radius));
-    const Eigen::Vector3d t = surface_->tangent(surface_->to_surface({g.position[0], g.position[1], g.position[2]}).x);
-    Parcel& parcel = handback_.pending()[g.face][face.cell_at(along)];
-    parcel.mass += mass;
-    parcel.mom_x += mass * (g.velocity[0] * t.x() + g.velocity[2] * t.z());
-    parcel.mom_y += mass * g.velocity[1];
+    if (past_end || !segments_[g.face][g.segment].inflow) take_from_layer(g);
   }
-  for (const auto& [f, s] : departed) {
+  for (int f = 0; f < int(rim_.faces().size()); ++f) {
     const RimFace& face = rim_.faces()[f];
-    const int middle = std::min(face.cells - 1, s * face.cells_per_segment + face.cells_per_segment / 2);
-    handback_.pending()[f][middle].mass += conveyors_[f].owed(s);
-    conveyors_[f].owe(s, -conveyors_[f].owed(s));
+    for (int s = 0; s < face.segments; ++s) {
+      if (segments_[f][s].inflow) continue;
+      const int middle = std::min(face.cells - 1, s * face.cells_per_segment + face.cells_per_segment / 2);
+      const double owed = conveyors_[f].owed(s), inward = face.sign() * segments_[f][s].comes, along = segments_[f][s].along;
+      Parcel& parcel = handback_.pending()[f][middle];
+      parcel.mass += owed;
+      parcel.mom_x += owed * (face.axis() == 0 ? inward : along);
+      parcel.mom_y += owed * (face.axis() == 0 ? along : inward);
+      conveyors_[f].owe(s, -owed);
+    }
   }
 }
 
+void Zone::take_from_layer(const NewGrain& g) {
+  remove_.push_back(g.id);
+  face_of_driven_[g.id] = -1;
+  handback_.mark_shadow(g.id);  // in the engine until the next window
+}
+
 // Rafts of one face that move at different velocities push their grains into each other, and what is freed so is shot away: the
-// later of two goes, and is owed again.
+// later of two goes.
 void Zone::thin_out_layer() {
   constexpr double share = 0.9;  // of the sum of the radii
   GrainBins stays(1.25 * settings_.rim.diameter);
@@ -113,14 +142,12 @@ void Zone::thin_out_layer() {
     return false;
   };
   for (const NewGrain& g : layer_) {
-    if (std::binary_search(remove_.begin(), remove_.end(), g.id)) continue;
-    if (!meets(g)) {
+    if (!is_driven(g.id)) continue;
+    if (meets(g)) {
+      take_from_layer(g);
+    } else {
       stays.add(g.position, g.radius);
-      continue;
     }
-    remove_.push_back(g.id);
-    handback_.mark_shadow(g.id);
-    conveyors_[g.face].owe(g.segment, table_->grain_mass(g.radius));
   }
 }
 

@@ -3,17 +3,16 @@
 //        before                 now                        what stands in ... becomes
 //      +--------+         +--------------+
 //      |        |         |a|            |                 a  newly covered cells: grains, where none stand yet
-//   ll |        |     ll' | |            |                 ll old driven layer: free; ll' new layer: driven, lent
+//   ll |        |     ll' | |            |                 ll old driven layer: free; ll' new layer: driven
 //      +--------+         +--------------+
 //
-// Mass: what leaves the solver (covered) or the count of grains is owed, what enters either pays, and the new layers are lent as
-// at the start: physically they stand where the flow outside does. What is left over goes to the faces that draw flow in.
+// Mass: what leaves the solver (covered) or the count of grains is owed, what enters either pays; driven layers do not count.
+// What is left over goes to the faces that draw flow in.
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
-#include <set>
 #include <unordered_set>
 
 #include "coupling/transfer/fill.hpp"
@@ -46,9 +45,8 @@ class RimMover {
     for (const RimFace& face : now_.rim_.faces()) now_.move_.back().faces.push_back(face.drive);
     std::sort(now_.remove_.begin(), now_.remove_.end());
     now_.remove_.erase(std::unique(now_.remove_.begin(), now_.remove_.end()), now_.remove_.end());
-    now_.lent_.lend(lent_.mass, lent_.momentum);
     now_.remainder_ += excess_;
-    moved_.left_over = excess_ - lent_.mass;
+    moved_.left_over = excess_;
     now_.share_out(moved_.left_over);
     return moved_;
   }
@@ -61,7 +59,6 @@ class RimMover {
     now_.next_id_ = before_.next_id_;
     now_.own_from_ = before_.next_id_;
     now_.inserted_ = before_.inserted_;
-    now_.lent_ = before_.lent_;
     now_.remainder_ = before_.remainder_;
     now_.steps_ = before_.steps_;
     now_.window_ = before_.window_;
@@ -70,13 +67,13 @@ class RimMover {
     now_.face_of_driven_ = before_.face_of_driven_;
   }
 
-  // Parcels, debts and rafts of faces that stay in their plane; all else is left over.
+  // Parcels, debts and rafts of faces that stay in their plane; all else is left over. Layers that are new come filled.
   void keep_segments() {
+    for (int g = 0; g < int(now_.rim_.faces().size()); ++g)
+      for (int s = 0; s < now_.rim_.faces()[g].segments; ++s) now_.conveyors_[g].fill_up(s);
     for (int f = 0; f < int(before_.rim_.faces().size()); ++f) {
       const RimFace& old = before_.rim_.faces()[f];
       const int g = same_plane(old);
-      if (g >= 0) longer_.insert(g);
-      (g < 0 ? now_.lent_ : now_.by_ends_[g]).lend(before_.by_ends_[f].mass, before_.by_ends_[f].momentum);
       if (g >= 0) now_.slide_[g] = before_.slide_[f], now_.slid_[g] = before_.slid_[f];
       for (int k = 0; k < old.cells; ++k) {
         const Parcel& parcel = before_.handback_.pending()[f][k];
@@ -190,13 +187,6 @@ class RimMover {
     moved_.opened += mass;
   }
 
-  // The layer of a face that has moved is paid by what the old one, now free, had been given; that of a face that has only become
-  // longer is new.
-  void lend(int face, double mass, const Vec& p, const Vec& velocity) {
-    const Eigen::Vector3d tangent = now_.surface_->tangent(now_.surface_->to_surface({p[0], p[1], p[2]}).x);
-    (longer_.contains(face) ? now_.by_ends_[face] : lent_).lend(mass, mass * tangent.dot(Eigen::Vector3d::Map(velocity.data())));
-  }
-
   void sort_grains() {
     const CellBox &old = before_.settings_.box, &box = now_.settings_.box;
     for (int j = old.j0; j < old.j1; ++j)  // cells that open empty, too
@@ -208,24 +198,23 @@ class RimMover {
       const std::int64_t id = grains_.id[k];
       const Vec p{grains_.x[k], grains_.y[k], grains_.z[k]};
       if (leaving.contains(id)) continue;
-      const bool counted = !now_.handback_.is_shadow(id), driven = grains_.driven[k] != 0;
+      const bool driven = grains_.driven[k] != 0, counted = now_.is_counted(id);
       const double mass = now_.table_->grain_mass(grains_.radius[k]);
       const Outside at = where(p);
       bool stays = true;
+      if (driven) now_.face_of_driven_[id] = -1;
       if (at.face < 0) {
-        if (!counted) now_.handback_.unmark_shadow(id), excess_ -= mass;
+        if (!driven && !counted) now_.handback_.unmark_shadow(id);
+        if (!counted) excess_ -= mass;
       } else if (at.inflow && at.distance >= -now_.rim_.layer()) {
         rim_.driven.push_back({id, at.face, at.segment});
         now_.layer_.push_back({id, p, {grains_.vx[k], grains_.vy[k], grains_.vz[k]}, grains_.radius[k], at.face, at.segment});
+        if (counted) give_to_flow(k, mass);
+        if (!driven && !counted) now_.handback_.unmark_shadow(id);
         now_.note_driven(now_.layer_.back());
-        if (!counted) now_.handback_.unmark_shadow(id);
-        if (counted && !driven) give_to_flow(k, mass);
-        if (!counted || !driven) lend(at.face, mass, p, {grains_.vx[k], grains_.vy[k], grains_.vz[k]});
       } else {
-        if (counted) {
-          driven ? void(excess_ += mass) : give_to_flow(k, mass);
-          now_.handback_.mark_shadow(id);
-        }
+        if (counted) give_to_flow(k, mass);
+        now_.handback_.mark_shadow(id);
         stays = !at.inflow && !driven && at.distance >= -now_.rim_.buffer();
       }
       if (stays) {
@@ -284,7 +273,6 @@ class RimMover {
           if (at.distance < -now_.rim_.layer()) continue;
           g.face = at.face, g.segment = at.segment;
           now_.note_driven(g);
-          lend(at.face, mass, g.position, g.velocity);
         } else {
           now_.handback_.mark_shadow(g.id);
         }
@@ -304,8 +292,6 @@ class RimMover {
   std::map<Cell, FlowState> opened_;
   RimMove rim_;
   double excess_ = 0;  // [kg]
-  Zone::Loan lent_;
-  std::set<int> longer_;  // faces that stay in their plane
   Zone::Moved moved_;
 };
 

@@ -46,9 +46,11 @@ void Zone::look_outside(const Solver& solver) {
 }
 
 // A flow that runs along a face must not find it open: what stands inside would spread. A raft goes along with it, to where it
-// clearly leaves. A face that cannot slide draws in only what is steep: its driven layer would lag behind.
+// clearly leaves. A film presses on nothing. A face that cannot slide draws in only what is steep: its driven layer would lag
+// behind.
 bool Zone::carried(const RimFace& face, const Segment& segment, double normal, double along) const {
-  if (!face.slides) return normal > steepest_ * std::abs(along) && normal > 0;
+  const bool film = segment.depth < (segment.inflow ? 0.25 : 0.5) * settings_.rim.diameter;
+  if (!face.slides || film) return normal > steepest_ * std::abs(along) && normal > 0;
   return normal > (segment.inflow ? leaves_ : grazes_) * std::abs(along);
 }
 

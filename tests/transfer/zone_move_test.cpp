@@ -81,7 +81,7 @@ struct Bench {
     double sum = 0;
     for (std::size_t i = 0; i < grains.size(); ++i) {
       const auto p = surface.to_surface({grains.x[i], grains.y[i], grains.z[i]});
-      if (p.x >= x0 && p.x < x1 && std::abs(p.y) < 0.1 && (!counted || !zone->is_shadow(grains.id[i])))
+      if (p.x >= x0 && p.x < x1 && std::abs(p.y) < 0.1 && (!counted || zone->is_counted(grains.id[i])))
         sum += table.grain_mass(grains.radius[i]);
     }
     return sum;
