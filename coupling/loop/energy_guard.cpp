@@ -20,13 +20,14 @@ double length(const Vec& v) {
 }
 
 double fastest_drive(const AdvanceRequest& request, const Advanced& advanced) {
-  double most = 0;
+  double most = 0, along = 0;
   for (const auto& face : advanced.segments)
     for (const SegmentReport& s : face) most = std::max(most, std::abs(s.velocity));
   for (const auto& face : request.drives)
     for (const SegmentDrive& d : face)
-      most = std::max({most, std::abs(d.most), std::abs(d.along), d.exit_active ? length(d.exit_velocity) : 0.0});
-  return most;
+      most = std::max({most, std::abs(d.most), d.exit_active ? length(d.exit_velocity) : 0.0}),
+      along = std::max({along, std::abs(d.along), std::abs(d.slide)});
+  return std::hypot(most, along);
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ void ZoneSide::wake() {
   const Grains& g = grains_->last().grains;
   first_.clear();
   for (std::size_t i = 0; i < g.size(); ++i)
-    if (!g.driven[i]) first_.push_back({g.id[i], {g.x[i], g.y[i], g.z[i]}, {}, g.radius[i]});
+    if (!g.driven[i] && !zone_->awaits_removal(g.id[i])) first_.push_back({g.id[i], {g.x[i], g.y[i], g.z[i]}, {}, g.radius[i]});
   zone_->wake();
   grains_->start(setup(), gauges_);
   take_stock();

@@ -7,8 +7,8 @@
 //            for 20.
 //   shrink   a side that has grown, by a step: in its outermost step, and `watched` further, the grains are within 15 % as fast
 //            as the flow that comes in, or there are none. For 100 ms.
-//   rest     no flow comes in (Zone::flow_comes), and all but two of a thousand grains are slower than 2 % of sqrt(g d). For 50
-//   ms. empty    no flow comes in, and no grain is left. For 50 ms.
+//   rest     no flow comes in (Zone::flow_comes), and all but two of a thousand grains that count are slower than 2 % of sqrt(g
+//   d). For 50 ms. empty    no flow comes in, and no grain that counts is left. For 50 ms.
 //
 // d grain diameter; watched = 10 d.
 
@@ -36,7 +36,7 @@ class ZoneWatch {
     bool grows;
     std::string reason;  // with its numbers
   };
-  // After a window of `length` [s]; `counted`: of the grains in the engine, whether they are the run's.
+  // After a window of `length` [s].
   std::optional<Move> look(const Zone&, const Solver&, const Grid&, double length);
   enum class Calm { no, resting, empty };
   Calm calm(const Zone&, bool flow_comes, const Grains&, double length);

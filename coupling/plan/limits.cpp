@@ -19,7 +19,7 @@ namespace {
 constexpr double most_grains = 1e9;
 // Of the stable step, which is 0.16 of the Rayleigh time (hertz): beyond 0.2 contacts gain energy and walls feel wrong forces.
 constexpr double longest_step = 1.25, shortest_step = 1e-3;
-// [d] half the driven layer of 3 d: what a face draws in must come from where grains stand ready.
+// [d] three quarters of the driven layer: what a face draws in must come from where grains stand ready.
 constexpr double most_travel = 1.5;
 constexpr double longest_skin = 3;  // [d] lists beyond it hold a hundred pairs a grain that do not touch
 

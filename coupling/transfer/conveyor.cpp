@@ -20,6 +20,9 @@ void Conveyor::advance(int segment, const Pull& pull, const std::vector<double>&
                        std::int64_t& next_id, std::vector<NewGrain>& out) {
   State& s = state_[segment];
   if (s.filled == 0) s.passed = first_after(reach(s));
+  // What has slid away behind a raft that went back comes again.
+  if (slid_now_ != 0)
+    while (comes_at(s.passed - 1) > reach(s)) --s.passed;
   const double before = reach(s);
   s.position += pull.displacement;
   s.filled = std::min(layer_, s.filled + std::max(0.0, pull.displacement) + std::abs(slid_now_));

@@ -37,7 +37,8 @@ class Conveyor {
     double slide = 0;         // [m/s] and along the face
     bool open_end = false;    // no raft stands beyond the end from which it slides
   };
-  // Tells whether a sphere overlaps a driven grain of another segment by more than what is harmless.
+  // Tells whether a sphere overlaps one that stands there by more than what is harmless: a driven one of another raft, where the
+  // face slides of its own, too, or a free one.
   using Occupied = std::function<bool(int segment, const Vec& centre, double radius)>;
 
   void slide(double distance);  // [m] all blocks along the face, in the last window; before its segments advance

@@ -12,12 +12,20 @@ namespace couloir {
 
 class GrainBins {
  public:
-  explicit GrainBins(double largest_diameter) : size_(largest_diameter) {}  // [m]
+  // [m] period along y; 0: none.
+  explicit GrainBins(double largest_diameter, double period = 0) : size_(largest_diameter), period_(period) {}
 
   void add(const Vec& centre, double radius) { bins_[bin(centre, 0, 0, 0)].push_back({centre, radius}); }
 
   // Whether a sphere there comes closer to another than `share` of the sum of their radii.
   bool meets(const Vec& p, double r, double share) const {
+    if (meets_there(p, r, share)) return true;
+    return period_ > 0 &&
+           (meets_there({p[0], p[1] + period_, p[2]}, r, share) || meets_there({p[0], p[1] - period_, p[2]}, r, share));
+  }
+
+ private:
+  bool meets_there(const Vec& p, double r, double share) const {
     for (int a = -1; a <= 1; ++a)
       for (int b = -1; b <= 1; ++b)
         for (int c = -1; c <= 1; ++c) {
@@ -31,7 +39,6 @@ class GrainBins {
     return false;
   }
 
- private:
   std::uint64_t bin(const Vec& p, int a, int b, int c) const {
     const auto part = [&](double x, int off) {
       return std::uint64_t(std::int64_t(std::floor(x / size_)) + off + (1 << 20)) & 0x1fffff;
@@ -42,7 +49,7 @@ class GrainBins {
     Vec centre;
     double radius;
   };
-  double size_;
+  double size_, period_;
   std::unordered_map<std::uint64_t, std::vector<Sphere>> bins_;
 };
 

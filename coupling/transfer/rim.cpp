@@ -39,6 +39,15 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
   const double d = settings.diameter;
   if (!settings_.anchor) settings_.anchor = {xl, yl};
 
+  const Eigen::Vector3d low = surface.to_space({xl, 0, 0});
+  // The engine's segments of a lateral face lie along the chord.
+  const Eigen::Vector3d chord = (surface.to_space({xh, 0, 0}) - low).normalized();
+  double sagitta = 0;
+  for (int i = zone.i0; i < zone.i1; ++i) {
+    const Eigen::Vector3d p = surface.to_space({grid.x0 + i * grid.dx, 0, 0}) - low;
+    sagitta = std::max(sagitta, (p - p.dot(chord) * chord).norm());
+  }
+
   const auto add = [&](SideName side, int cells, double width, double x0, double y0, const Eigen::Vector3d& inward,
                        const Eigen::Vector3d& along) {
     RimFace face{.side = side, .cells = cells, .cell_width = width, .drive = {}, .surface = &surface, .x0 = x0, .y0 = y0};
@@ -49,7 +58,8 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
       face.walls = {settings.walls[2] && zone.j0 == 0, settings.walls[3] && zone.j1 == grid.ny};
     else
       face.walls = {settings.walls[0] && zone.i0 == 0, settings.walls[1] && zone.i1 == grid.nx};
-    face.slides = face.axis() == 0 ? zone.j0 > 0 && zone.j1 < grid.ny : zone.i0 > 0 && zone.i1 < grid.nx;
+    // Beside an arc a layer would leave the bed: it moves straight.
+    face.slides = face.axis() == 0 ? zone.j0 > 0 && zone.j1 < grid.ny : zone.i0 > 0 && zone.i1 < grid.nx && sagitta < 0.1 * d;
     face.drive = {.origin = to_vec(surface.to_space({x0, y0, 0})),
                   .inward = to_vec(inward),
                   .along = to_vec(along),
@@ -61,8 +71,6 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
   };
 
   const Eigen::Vector3d across(0, 1, 0);
-  // The engine's segments of a lateral face lie along the chord.
-  const Eigen::Vector3d chord = (surface.to_space({xh, 0, 0}) - surface.to_space({xl, 0, 0})).normalized();
   if (zone.i0 > 0) add(SideName::upstream, zone.j1 - zone.j0, grid.dy, xl, yl, surface.tangent(xl), across);
   if (zone.i1 < grid.nx) add(SideName::downstream, zone.j1 - zone.j0, grid.dy, xh, yl, -surface.tangent(xh), across);
   if (zone.j0 > 0) add(SideName::left, zone.i1 - zone.i0, grid.dx, xl, yl, across, chord);

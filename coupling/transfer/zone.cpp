@@ -97,8 +97,8 @@ void Zone::impose(Solver& solver) {
       const Segment& segment = segments_[f][face.segment_of_cell(k)];
       double inward = 0, normal_momentum = 0, tangential = 0;
       if (segment.inflow) {
-        const double raft = segment.rate;
-        inward = q.h * raft;
+        const double raft = segment.rate > 0 ? segment.rate : segment.displacement / window_;
+        inward = q.h * segment.rate;
         normal_momentum = inward * raft + push(solver, f, k, raft);
         tangential = q.h > 0 ? inward * (face.axis() == 0 ? q.hv : q.hu) / q.h : 0;
       } else {
@@ -142,7 +142,7 @@ std::vector<std::vector<double>> Zone::count_passed(const Solver& solver) {
       const double inward = face.sign() * solver.passed(covered_, face.side, k).mass * face.cell_width * table_->bulk_density();
       const double drawn = imposed_[f][k] * window_ * face.cell_width * table_->bulk_density();
       double to_conveyor = inward + parcel.mass;
-      if (drawn <= 0) {  // no raft here: a shortfall stays in the parcel and is taken later
+      if (drawn <= 0) {  // none is drawn in: a shortfall stays in the parcel and is taken later
         parcel.mass = to_conveyor;
         to_conveyor = 0;
         parcel.mom_x = parcel.mom_y = 0;
@@ -209,19 +209,23 @@ AdvanceRequest Zone::request(Solver& solver) {
 void Zone::absorb(const Advanced& advanced, Solver& solver, Airborne* airborne) {
   const Grains& g = advanced.grains;
   note_released(g);
-  find_layer(g);
   std::vector<std::vector<Handback::Outside>> outside;
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
     outside.emplace_back();
     for (int s = 0; s < rim_.faces()[f].segments; ++s) {
       Segment& segment = segments_[f][s];
       segment.displacement = advanced.segments[f][s].displacement;
-      segment.rate = segment.displacement / window_;
+      // Where a raft has gone back it takes nothing out of the flow and gives nothing until it stands where it was.
+      const double ahead = segment.displacement - segment.held;
+      segment.held = std::max(0.0, -ahead);
+      segment.rate = std::max(0.0, ahead) / window_;
       segment.raft = advanced.segments[f][s].velocity;
+      if (advanced.segments[f][s].mass == 0 && segment.depth <= least_depth()) conveyors_[f].empty(s);  // a surge has passed
       outside.back().push_back({segment.inflow, segment.fast_outflow ? rim_.short_buffer() : rim_.buffer()});
     }
     slid_[f] = slide_[f] * window_;
   }
+  find_layer(g);
   let_go_of_layer();
   thin_out_layer();
   const auto flies = [&](std::size_t k) {
@@ -237,6 +241,21 @@ void Zone::absorb(const Advanced& advanced, Solver& solver, Airborne* airborne) 
 void Zone::rest(const Grains& g, Solver& solver) {
   closed_ = true;
   show(g, solver, false);
+}
+
+// Driven layers are gone with the engine, and what waited for its removal with them.
+void Zone::wake() {
+  closed_ = false;
+  remove_.clear();
+  layer_.clear();
+  beside_.clear();
+  for (int f = 0; f < int(rim_.faces().size()); ++f) {
+    slid_[f] = 0;
+    for (int s = 0; s < rim_.faces()[f].segments; ++s) {
+      conveyors_[f].empty(s);
+      segments_[f][s].displacement = segments_[f][s].held = 0;
+    }
+  }
 }
 
 void Zone::show(const Grains& g, Solver& solver, bool moving) {

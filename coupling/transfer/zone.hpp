@@ -8,9 +8,11 @@
 //   absorb(advanced)   grains that left are handed back; the covered cells show the grains' depth and velocity
 //
 // Precedence: impose < solver < request < engine < absorb < next impose. Each transfer lags by one window; what is on its way is
-// in the ledger (`faces_mass`). At a segment into which the flow comes, the raft (grain_engine.hpp) moves under the grains'
-// forces and the push of the flow that it dams up: the mirrored Riemann problem of (h, u - u_raft), with the flow's own K.
+// in the ledger (`faces_mass`). At a segment that the flow does not clearly leave, the raft (grain_engine.hpp) moves under the
+// grains' forces and the push of the flow that it dams up: the mirrored Riemann problem of (h, u - u_raft), with the flow's own
+// K; along the face it slides with the flow.
 
+#include <algorithm>
 #include <vector>
 
 #include "coupling/transfer/airborne.hpp"
@@ -32,7 +34,7 @@ class Zone {
  public:
   Zone(const ZoneSettings&, const Grid&, const ReferenceSurface&, const PackingTable&);
 
-  // The zone takes over: its cells' material becomes grains (to half a grain; the rest is owed), the solver's cells are covered.
+  // The zone takes over: its cells' material becomes grains (to a few grains; the rest is owed), the solver's cells are covered.
   // Returns the grains to insert before the first window.
   std::vector<NewGrain> take_over(Solver&);
 
@@ -82,7 +84,8 @@ class Zone {
   // At rest, without an engine: the covered cells show the grains, still, and what comes meets the faces as walls. In place of
   // request and absorb: count_passed.
   void rest(const Grains&, Solver&);
-  void wake() { closed_ = false; }
+  void wake();
+  bool awaits_removal(std::int64_t id) const { return std::binary_search(remove_.begin(), remove_.end(), id); }
   std::vector<std::vector<double>> count_passed(const Solver&);
   // Between two windows; into a zone of the same settings. The solver's covered cells are the solver's.
   void state(Archive& a) {
@@ -97,9 +100,12 @@ class Zone {
     double depth = 0, normal = 0, along = 0;  // [m], [m/s] inward: all inflow of the face together, [m/s]
     double comes = 0;                         // [m/s] inward, of this segment alone
     double raft = 0, displacement = 0;        // [m/s], [m] of the last window
+    double held = 0;                          // [m] how far the raft stands behind where it has been
     double rate = 0;                          // [m/s] at which the raft draws the flow in
   };
   void look_outside(const Solver&);
+  // [m] Thinner than this, a flow carries no grains worth sending: a hundredth of a diameter.
+  double least_depth() const { return 0.01 * settings_.rim.diameter; }
   bool carried(const RimFace&, const Segment&, double normal, double along) const;  // by a raft
   bool open_end(int face, int segment) const;                      // no raft stands beyond the end from which the segment slides
   void share_out(double mass);                                     // [kg] that is left over, among what the faces owe
@@ -135,7 +141,7 @@ class Zone {
   std::vector<std::vector<double>> imposed_;  // [face][cell] inward [m2/s] drawn in by rafts in this window
   CoarseGrained field_;
   std::vector<std::int64_t> remove_;
-  std::vector<NewGrain> layer_;   // driven grains after the last window, for the overlap test
+  std::vector<NewGrain> layer_;   // driven grains after the last window
   std::vector<NewGrain> beside_;  // free grains where new ones may come, for it, too
   double remainder_ = 0;          // [kg] left over from filling with whole grains
   std::int64_t next_id_ = 1, steps_ = 0;

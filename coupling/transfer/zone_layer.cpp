@@ -82,8 +82,11 @@ double Zone::layer_due(const Solver& solver, int f, int s) const {
       const double to = std::min(depth, from + step);
       due += outside_depth(solver, face, k, 0.5 * (from + to)) * (to - from) * face.cell_width * table_->bulk_density();
     }
-  for (const NewGrain& g : layer_)
-    if (g.face == f && g.segment == s && is_driven(g.id)) due -= table_->grain_mass(g.radius);
+  for (const NewGrain& g : layer_) {
+    if (g.face != f || g.segment != s || !is_driven(g.id)) continue;
+    const double along = face.along(g.position);
+    if (along >= 0 && along < face.extent()) due -= table_->grain_mass(g.radius);
+  }
   return due;
 }
 
@@ -134,16 +137,10 @@ void Zone::take_from_layer(const NewGrain& g) {
 // later of two goes.
 void Zone::thin_out_layer() {
   constexpr double share = 0.9;  // of the sum of the radii
-  GrainBins stays(1.25 * settings_.rim.diameter);
-  const double width = settings_.periodic_y ? grid_.ny * grid_.dy : 0;
-  const auto meets = [&](const NewGrain& g) {
-    for (const double image : {0.0, width, -width})
-      if (stays.meets({g.position[0], g.position[1] + image, g.position[2]}, g.radius, share)) return true;
-    return false;
-  };
+  GrainBins stays(1.25 * settings_.rim.diameter, settings_.periodic_y ? grid_.ny * grid_.dy : 0);
   for (const NewGrain& g : layer_) {
     if (!is_driven(g.id)) continue;
-    if (meets(g)) {
+    if (stays.meets(g.position, g.radius, share)) {
       take_from_layer(g);
     } else {
       stays.add(g.position, g.radius);

@@ -217,6 +217,7 @@ class RimMover {
         now_.handback_.mark_shadow(id);
         stays = !at.inflow && !driven && at.distance >= -now_.rim_.buffer();
       }
+      if (stays && !now_.is_driven(id) && now_.is_where_layers_come(p)) now_.beside_.push_back({id, p, {}, grains_.radius[k]});
       if (stays) {
         bins_.add(p, grains_.radius[k]);
       } else {
@@ -273,6 +274,7 @@ class RimMover {
           if (at.distance < -now_.rim_.layer()) continue;
           g.face = at.face, g.segment = at.segment;
           now_.note_driven(g);
+          now_.layer_.push_back(g);
         } else {
           now_.handback_.mark_shadow(g.id);
         }
@@ -288,7 +290,7 @@ class RimMover {
   Solver& solver_;
   const Grid& grid_;
   double cell_mass_;  // [kg/m] of a metre of depth
-  GrainBins bins_{1.25 * now_.settings_.rim.diameter};
+  GrainBins bins_{1.25 * now_.settings_.rim.diameter, now_.settings_.periodic_y ? grid_.ny* grid_.dy : 0};
   std::map<Cell, FlowState> opened_;
   RimMove rim_;
   double excess_ = 0;  // [kg]

@@ -8,8 +8,6 @@
 namespace couloir {
 
 void Zone::look_outside(const Solver& solver) {
-  // Thinner than this, a flow carries no grains worth sending: a hundredth of a diameter.
-  const double least = 0.01 * settings_.rim.diameter;
   const double still = 1e-3 * std::sqrt(settings_.gravity * settings_.rim.diameter);
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
     const RimFace& face = rim_.faces()[f];
@@ -27,14 +25,17 @@ void Zone::look_outside(const Solver& solver) {
       Segment& segment = segments_[f][s];
       segment.depth = h / (last - first);
       segment.comes = h > 0 ? hn / h : 0;
-      if (segment.depth <= least && !closed_) continue;  // the last flow's velocity carries its driven grains in
+      if (segment.depth <= least_depth() && !closed_) continue;  // the last flow's velocity carries its driven grains in
       segment.along = h > 0 ? ha / h : 0;
       segment.fast_outflow = hn < -2 * h * std::sqrt(settings_.gravity * segment.depth);
       const bool before = segment.inflow;
       segment.inflow = !closed_ && std::hypot(hn, ha) > still * h && carried(face, segment, hn, ha);
       if (segment.inflow) all_h += h, all_hn += hn, all_ha += ha;
       // A raft starts with its flow: one that had to be pushed into motion would dam it up first.
-      if (segment.inflow != before) segment.raft = segment.rate = segment.inflow ? hn / h : 0;
+      if (segment.inflow != before) {
+        segment.raft = segment.rate = segment.inflow ? hn / h : 0;
+        segment.held = 0;
+      }
     }
     // One velocity for the face's free inflow, so that neighbouring rafts keep step and do not shear their grains into each
     // other; the depths differ, so the flow that each cell gives still does.

@@ -103,6 +103,11 @@ void FixDrive::regroup() {
     const int f = rafts_[static_cast<std::size_t>(raft_[i])].face;
     raft_[i] = raft_of(f, segment_at(faces_[static_cast<std::size_t>(f)], atom->x[i]));
   }
+  std::vector<double> mass(rafts_.size(), 0.0);
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (raft_[i] != free_grain) mass[static_cast<std::size_t>(raft_[i])] += atom->rmass[i];
+  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, mass.data(), static_cast<int>(mass.size()), MPI_DOUBLE, MPI_SUM, world);
+  for (std::size_t r = 0; r < rafts_.size(); ++r) rafts_[r].mass = mass[r];
 }
 
 void FixDrive::note_exits() {

@@ -186,7 +186,8 @@ void Session::check(const AdvanceRequest& request) const {
   for (std::size_t f = 0; fits && f < request.drives.size(); ++f) {
     fits = static_cast<int>(request.drives[f].size()) == faces[f].segments;
     for (const SegmentDrive& d : request.drives[f]) {
-      if (!(d.least <= d.most) || !std::isfinite(d.push) || !std::isfinite(d.along) || !std::isfinite(d.slide) || !finite(d.exit_velocity)) {
+      if (!(d.least <= d.most) || !std::isfinite(d.push) || !std::isfinite(d.along) || !std::isfinite(d.slide) ||
+          !finite(d.exit_velocity)) {
         refuse(fmt::format("face {} has a drive with velocities {:g}..{:g} m/s and push {:g} N, which is not possible", f,
                            d.least, d.most, d.push));
       }
