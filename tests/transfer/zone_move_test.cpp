@@ -53,6 +53,24 @@ struct Bench {
     zone->begin_window(1, 1e-9);
     apply(zone->request(solver));
   }
+  // After an advance in which rafts did not move; what the test does to `grains` is what the engine did.
+  void absorb() {
+    Advanced a;
+    a.grains = grains;
+    for (const RimFace& face : zone->rim().faces()) a.segments.emplace_back(face.segments);
+    zone->absorb(a, solver);
+  }
+  std::size_t driven_nearest(const RimFace& face) const {  // to its plane
+    std::size_t found = 0;
+    double nearest = -1;
+    for (std::size_t i = 0; i < grains.size(); ++i) {
+      const Vec p{grains.x[i], grains.y[i], grains.z[i]};
+      const double s = face.distance(p), along = face.along(p);
+      if (grains.driven[i] && s < 0 && s > nearest && along > 0.05 && along < face.extent() - 0.05) found = i, nearest = s;
+    }
+    return found;
+  }
+  void put(std::size_t i, const Vec& p) { grains.x[i] = p[0], grains.y[i] = p[1], grains.z[i] = p[2]; }
   void apply(const AdvanceRequest& r) {
     std::map<std::int64_t, std::array<double, 8>> all;
     for (std::size_t i = 0; i < grains.size(); ++i)
@@ -149,6 +167,51 @@ TEST(ZoneMove, SideBuffersBecomeGrainsOnceCounted) {
   b.move({30, 60, 4, 36});
   EXPECT_NEAR(b.mass(), b.initial, 1e-12 * b.initial);
   EXPECT_NEAR(b.mass_between(0.3, 0.6, true), h * 0.3 * 0.2 * b.table.bulk_density(), 0.01 * b.initial);
+}
+
+TEST(ZoneLayer, CountsWhatAFaceHasLetGoOfAndNothingBefore) {
+  Bench b;
+  const RimFace& face = b.zone->rim().faces()[0];
+  const std::size_t i = b.driven_nearest(face);
+  const double m = b.table.grain_mass(b.grains.radius[i]), counted = b.zone->grains_mass(b.grains), owed = b.zone->faces_mass();
+  ASSERT_TRUE(b.grains.driven[i]);
+  EXPECT_FALSE(b.zone->is_counted(b.grains.id[i]));
+  b.put(i, face.place(0.2 * d, face.along({b.grains.x[i], b.grains.y[i], b.grains.z[i]}), 0.5 * d));
+  b.grains.driven[i] = 0;
+  b.absorb();
+  EXPECT_TRUE(b.zone->is_counted(b.grains.id[i]));
+  EXPECT_NEAR(b.zone->grains_mass(b.grains) - counted, m, 1e-12);
+  EXPECT_NEAR(b.zone->faces_mass() - owed, -m, 1e-12);
+  EXPECT_NEAR(b.mass(), b.initial, 1e-12 * b.initial);
+}
+
+// Beside the zone the flow runs along the faces, and so do their layers.
+TEST(ZoneLayer, LeavesAtTheEndOfItsFaceWithoutATrace) {
+  Bench b;
+  const RimFace& side = b.zone->rim().faces()[2];
+  ASSERT_EQ(side.side, SideName::left);
+  ASSERT_TRUE(side.slides);
+  const std::size_t i = b.driven_nearest(side);
+  ASSERT_TRUE(b.grains.driven[i]);
+  const std::int64_t id = b.grains.id[i];
+  const double owed = b.zone->faces_mass();
+  b.put(i, side.place(-d, side.extent() + 0.1 * d, 0.5 * d));
+  b.absorb();
+  EXPECT_NEAR(b.zone->faces_mass(), owed, 1e-12);
+  b.window();
+  EXPECT_EQ(std::count(b.grains.id.begin(), b.grains.id.end(), id), 0);
+  EXPECT_NEAR(b.mass(), b.initial, 1e-12 * b.initial);
+}
+
+// The engine that starts again never had what waited for its removal when the last one ended.
+TEST(ZoneLayer, IsGoneAfterAWake) {
+  Bench b;
+  b.zone->take_out({b.grains.id[0]});
+  EXPECT_TRUE(b.zone->awaits_removal(b.grains.id[0]));
+  b.zone->rest(b.grains, b.solver);
+  b.zone->wake();
+  b.zone->begin_window(1, 1e-9);
+  EXPECT_TRUE(b.zone->request(b.solver).remove.empty());
 }
 
 }  // namespace
