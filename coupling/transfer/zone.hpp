@@ -119,7 +119,8 @@ class Zone {
   void let_go_of_layer();
   void take_from_layer(const NewGrain&);
   void thin_out_layer();
-  double across(double dy) const;  // [m] the nearest of its periodic images
+  double period() const { return settings_.periodic_y ? grid_.ny * grid_.dy : 0; }  // [m] along y; 0: none
+  double across(double dy) const;                                                   // [m] the nearest of its periodic images
   void note_driven(const NewGrain&);
   bool is_driven(std::int64_t id) const { return id < std::int64_t(face_of_driven_.size()) && face_of_driven_[id] >= 0; }
   bool is_where_layers_come(const Vec&) const;        // elsewhere than at the plane, where no free grain is

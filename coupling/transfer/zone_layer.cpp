@@ -25,8 +25,7 @@ Conveyor::Occupied Zone::occupied(int face, const std::vector<NewGrain>& inserte
 }
 
 double Zone::across(double dy) const {
-  const double width = grid_.ny * grid_.dy;
-  return settings_.periodic_y ? dy - width * std::round(dy / width) : dy;
+  return settings_.periodic_y ? dy - period() * std::round(dy / period()) : dy;
 }
 
 void Zone::find_layer(const Grains& g) {
@@ -47,9 +46,10 @@ void Zone::find_layer(const Grains& g) {
 
 bool Zone::is_where_layers_come(const Vec& p) const {
   const double d = settings_.rim.diameter;
-  for (int f = 0; f < int(rim_.faces().size()); ++f)
-    if (slide_[f] != 0 || conveyors_[f].filling())
-      if (const double s = rim_.faces()[f].distance(p); s > -rim_.layer() - d && s < d) return true;
+  for (int f = 0; f < int(rim_.faces().size()); ++f) {
+    const double s = rim_.faces()[f].distance(p);
+    if (s > -rim_.layer() - d && s < d && (slide_[f] != 0 || conveyors_[f].filling())) return true;
+  }
   return false;
 }
 
@@ -137,7 +137,7 @@ void Zone::take_from_layer(const NewGrain& g) {
 // later of two goes.
 void Zone::thin_out_layer() {
   constexpr double share = 0.9;  // of the sum of the radii
-  GrainBins stays(1.25 * settings_.rim.diameter, settings_.periodic_y ? grid_.ny * grid_.dy : 0);
+  GrainBins stays(1.25 * settings_.rim.diameter, period());
   for (const NewGrain& g : layer_) {
     if (!is_driven(g.id)) continue;
     if (stays.meets(g.position, g.radius, share)) {

@@ -290,7 +290,7 @@ class RimMover {
   Solver& solver_;
   const Grid& grid_;
   double cell_mass_;  // [kg/m] of a metre of depth
-  GrainBins bins_{1.25 * now_.settings_.rim.diameter, now_.settings_.periodic_y ? grid_.ny* grid_.dy : 0};
+  GrainBins bins_{1.25 * now_.settings_.rim.diameter, now_.period()};
   std::map<Cell, FlowState> opened_;
   RimMove rim_;
   double excess_ = 0;  // [kg]
