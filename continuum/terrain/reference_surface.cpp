@@ -43,6 +43,14 @@ bool ReferenceSurface::curved() const {
   return arc_ > 0 && angle_ > 0;
 }
 
+double ReferenceSurface::arc_begin() const {
+  return slope_;
+}
+
+double ReferenceSurface::arc_length() const {
+  return curved() ? arc_ : 0.0;
+}
+
 double ReferenceSurface::angle(double x) const {
   if (x <= slope_ || arc_ + runout_ == 0) return angle_;
   return arc_ > 0 ? angle_ * std::max(0.0, 1 - (x - slope_) / arc_) : 0.0;

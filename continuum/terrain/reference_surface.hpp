@@ -25,6 +25,8 @@ class ReferenceSurface {
   double length() const;             // [m] along the surface
   double angle(double x) const;      // zeta, inclination against the horizontal [rad]
   double curvature(double x) const;  // kappa = -d zeta / dx [1/m]; 1/R on the arc, 0 elsewhere
+  double arc_begin() const;          // [m] along the surface
+  double arc_length() const;         // [m] 0: none
 
   Eigen::Vector3d to_space(const SurfacePoint& p) const;     // reference coordinates -> tilted frame
   SurfacePoint to_surface(const Eigen::Vector3d& p) const;   // and back; exact inverse while n < R on the arc

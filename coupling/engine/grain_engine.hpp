@@ -48,13 +48,19 @@ struct EngineSurface {
 // Grains inserted with segment >= 0 are driven: each segment's grains move as one raft (velocity below) until their centre has
 // passed the plane (distance >= 0); then they are free for good. In the strip, free grains move with the given exit velocity
 // where the segment's exit is active.
+struct Bend {
+  double begin = 0, length = 0;  // [m] along the face, begin of any sign; length 0: straight
+  Vec foot{}, centre{};          // of the arc: where it begins on the bed, a point of its axis, which is along `inward`
+};
+
 struct DriveFace {
   Vec origin{};              // a point of the plane: low end along `along`
   Vec inward{};              // unit normal, into the zone
-  Vec along{};               // unit, along the face
+  Vec along{};               // unit, along the face; of one that bends: before the bend
   double segment_width = 0;  // [m]
   int segments = 0;
   double strip_begin = 0, strip_end = 0;  // [m] distances outside of the plane, positive
+  Bend bend;                              // of its edge on the bed
 };
 
 struct EngineSetup {
@@ -89,7 +95,7 @@ struct NewGrain {
 
 // One raft: the driven grains of one segment, moving as a rigid body:
 //   along the inward normal   m du/dt = sum of forces on its grains + push,   least <= u <= most
-//   along the face            slide while driven, along when a grain is freed
+//   along the face            slide while driven, along when a grain is freed (drive_face.hpp: which way that is)
 // With no grains, or with less than `least_mass`, u = most. At an advance's beginning a grain that has slid into another segment
 // of its face belongs to that one's raft.
 struct SegmentDrive {

@@ -23,8 +23,12 @@ static_assert(sizeof(Triangle) == 9 * sizeof(double));
 
 // The fields of each structure, listed once for both directions.
 template <class A>
+void fields(A& a, Bend& s) {
+  a(s.begin, s.length, s.foot, s.centre);
+}
+template <class A>
 void fields(A& a, DriveFace& s) {
-  a(s.origin, s.inward, s.along, s.segment_width, s.segments, s.strip_begin, s.strip_end);
+  a(s.origin, s.inward, s.along, s.segment_width, s.segments, s.strip_begin, s.strip_end, s.bend);
 }
 template <class A>
 void fields(A& a, EngineSurface& s) {

@@ -26,7 +26,7 @@
 
 namespace couloir::protocol {
 
-inline constexpr int version = 8;
+inline constexpr int version = 9;
 
 enum class Kind : int { hello, start, started, advance, checkpoint, stop, done, heartbeat, advanced, failed };
 const char* to_string(Kind);

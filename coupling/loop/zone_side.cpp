@@ -38,7 +38,10 @@ ZoneSettings ZoneSide::settings() const {
   ZoneSettings s;
   s.box = watch_->box();
   s.rim.diameter = scene_.grains.diameter;
-  for (int q = 0; q < 4; ++q) s.rim.walls[q] = scene_.sides[q].kind == SideSpec::Kind::wall;
+  for (int q = 0; q < 4; ++q) {
+    s.rim.walls[q] = scene_.sides[q].kind == SideSpec::Kind::wall;
+    s.rim.open[q] = scene_.sides[q].open();
+  }
   s.rim.anchor = {planned_.box.x0, planned_.box.y0};
   s.gravity = scene_.gravity;
   s.periodic_y = scene_.sides[2].kind == SideSpec::Kind::periodic && s.box.j0 == 0 && s.box.j1 == flow_.solver().grid().ny;

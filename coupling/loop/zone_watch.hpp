@@ -1,14 +1,14 @@
 #pragma once
 // Whether a zone should grow, shrink, rest or end: looked at once a window.
 //
-//   grow     a side, by a step: the flow comes in there faster than its waves, and `watched` inside of the face, over a quarter
-//   of
-//            what comes in, the grains are slower than half of it: a jump or a dead zone is near. For 5 windows; then not again
-//            for 20.
+//   grow     a side, by a step: the flow comes in there faster than its waves, and `watched` inside of the face, over a
+//            quarter of what comes in, the grains are slower than half of it: a jump or a dead zone is near. For 5 windows; then
+//            not again for 20.
 //   shrink   a side that has grown, by a step: in its outermost step, and `watched` further, the grains are within 15 % as fast
 //            as the flow that comes in, or there are none. For 100 ms.
-//   rest     no flow comes in (Zone::flow_comes), and all but two of a thousand grains that count are slower than 2 % of sqrt(g
-//   d). For 50 ms. empty    no flow comes in, and no grain that counts is left. For 50 ms.
+//   rest     no flow comes in (Zone::flow_comes), and all but two of a thousand grains that count are slower than 2 % of
+//            sqrt(g d). For 50 ms.
+//   empty    no flow comes in, and no grain that counts is left. For 50 ms.
 //
 // d grain diameter; watched = 10 d.
 

@@ -58,8 +58,9 @@ bool Conveyor::stands_in_wall(double along, double r) const {
 
 NewGrain Conveyor::make(int segment, const Candidate& c, double distance, double along, const Pull& pull) const {
   const double z = std::max(c.z, c.r);  // no overlap with the bed from the weight of a deeper block
+  const Vec way = face_->direction(along);
   Vec v;
-  for (int q = 0; q < 3; ++q) v[q] = pull.velocity * face_->drive.inward[q] + pull.slide * face_->drive.along[q];
+  for (int q = 0; q < 3; ++q) v[q] = pull.velocity * face_->drive.inward[q] + pull.slide * way[q];
   return {0, face_->place(distance, along, z), v, c.r, face_index_, segment};
 }
 

@@ -14,6 +14,14 @@ double dot_offset(const Vec& p, const Vec& origin, const Vec& direction) {
   return (p[0] - origin[0]) * direction[0] + (p[1] - origin[1]) * direction[1] + (p[2] - origin[2]) * direction[2];
 }
 
+// Of the edge of a lateral face from x0 to x1 [m].
+Bend bend_of(const ReferenceSurface& surface, double x0, double x1, double y) {
+  const double begin = surface.arc_begin(), length = surface.arc_length();
+  if (length == 0 || x1 <= begin || x0 >= begin + length) return {};
+  const double radius = 1 / surface.curvature(begin + 0.5 * length);
+  return {begin - x0, length, to_vec(surface.to_space({begin, y, 0})), to_vec(surface.to_space({begin, y, radius}))};
+}
+
 }  // namespace
 
 double RimFace::distance(const Vec& p) const {
@@ -28,6 +36,9 @@ Vec RimFace::place(double distance, double along, double height) const {
   return to_vec(axis() == 0 ? surface->to_space({x0 + in, y0 + along, height})
                             : surface->to_space({x0 + along, y0 + in, height}));
 }
+Vec RimFace::direction(double a) const {
+  return axis() == 0 ? drive.along : to_vec(surface->tangent(x0 + a));
+}
 int RimFace::cell_at(double a) const {
   return int(std::clamp(std::floor(a / cell_width), 0.0, double(cells - 1)));
 }
@@ -39,17 +50,7 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
   const double d = settings.diameter;
   if (!settings_.anchor) settings_.anchor = {xl, yl};
 
-  const Eigen::Vector3d low = surface.to_space({xl, 0, 0});
-  // The engine's segments of a lateral face lie along the chord.
-  const Eigen::Vector3d chord = (surface.to_space({xh, 0, 0}) - low).normalized();
-  double sagitta = 0;
-  for (int i = zone.i0; i < zone.i1; ++i) {
-    const Eigen::Vector3d p = surface.to_space({grid.x0 + i * grid.dx, 0, 0}) - low;
-    sagitta = std::max(sagitta, (p - p.dot(chord) * chord).norm());
-  }
-
-  const auto add = [&](SideName side, int cells, double width, double x0, double y0, const Eigen::Vector3d& inward,
-                       const Eigen::Vector3d& along) {
+  const auto add = [&](SideName side, int cells, double width, double x0, double y0, const Eigen::Vector3d& inward) {
     RimFace face{.side = side, .cells = cells, .cell_width = width, .drive = {}, .surface = &surface, .x0 = x0, .y0 = y0};
     face.from_anchor = face.axis() == 0 ? yl - (*settings_.anchor)[1] : xl - (*settings_.anchor)[0];
     face.cells_per_segment = std::clamp(int(std::ceil(settings.segment * d / width - 1e-9)), 1, cells);
@@ -58,23 +59,26 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
       face.walls = {settings.walls[2] && zone.j0 == 0, settings.walls[3] && zone.j1 == grid.ny};
     else
       face.walls = {settings.walls[0] && zone.i0 == 0, settings.walls[1] && zone.i1 == grid.nx};
-    // Beside an arc a layer would leave the bed: it moves straight.
-    face.slides = face.axis() == 0 ? zone.j0 > 0 && zone.j1 < grid.ny : zone.i0 > 0 && zone.i1 < grid.nx && sagitta < 0.1 * d;
+    const auto& open = settings.open;
+    face.slides = face.axis() == 0 ? (zone.j0 > 0 || open[2]) && (zone.j1 < grid.ny || open[3])
+                                   : (zone.i0 > 0 || open[0]) && (zone.i1 < grid.nx || open[1]);
     face.drive = {.origin = to_vec(surface.to_space({x0, y0, 0})),
                   .inward = to_vec(inward),
-                  .along = to_vec(along),
                   .segment_width = face.cells_per_segment * width,
                   .segments = face.segments,
                   .strip_begin = (settings.buffer - settings.strip) * d,
-                  .strip_end = (settings.buffer + settings.strip) * d};
+                  .strip_end = (settings.buffer + settings.strip) * d,
+                  .bend = face.axis() == 0 ? Bend{} : bend_of(surface, x0, x0 + face.extent(), y0)};
+    const bool bends = face.drive.bend.length > 0;
+    face.drive.along = face.axis() == 0 ? Vec{0, 1, 0} : to_vec(surface.tangent(bends ? surface.arc_begin() : x0));
     faces_.push_back(face);
   };
 
   const Eigen::Vector3d across(0, 1, 0);
-  if (zone.i0 > 0) add(SideName::upstream, zone.j1 - zone.j0, grid.dy, xl, yl, surface.tangent(xl), across);
-  if (zone.i1 < grid.nx) add(SideName::downstream, zone.j1 - zone.j0, grid.dy, xh, yl, -surface.tangent(xh), across);
-  if (zone.j0 > 0) add(SideName::left, zone.i1 - zone.i0, grid.dx, xl, yl, across, chord);
-  if (zone.j1 < grid.ny) add(SideName::right, zone.i1 - zone.i0, grid.dx, xl, yh, -across, chord);
+  if (zone.i0 > 0) add(SideName::upstream, zone.j1 - zone.j0, grid.dy, xl, yl, surface.tangent(xl));
+  if (zone.i1 < grid.nx) add(SideName::downstream, zone.j1 - zone.j0, grid.dy, xh, yl, -surface.tangent(xh));
+  if (zone.j0 > 0) add(SideName::left, zone.i1 - zone.i0, grid.dx, xl, yl, across);
+  if (zone.j1 < grid.ny) add(SideName::right, zone.i1 - zone.i0, grid.dx, xl, yh, -across);
 }
 
 std::pair<int, int> Rim::outside_cell(const RimFace& face, int k) const {

@@ -25,7 +25,7 @@ struct RimFace {
   int cells_per_segment = 1;
   int segments = 0;
   std::array<bool, 2> walls{};  // whether a wall of the domain stands at its low end, at its high end
-  bool slides = false;          // both ends lie within the domain: its driven layer may move along it
+  bool slides = false;          // both ends lie within the domain or at an open side: its driven layer may move along it
   DriveFace drive;              // the same face for the engine
   double from_anchor = 0;       // [m] from the anchor of the settings to the face's low end, along the face
   int axis() const { return side == SideName::upstream || side == SideName::downstream ? 0 : 1; }  // normal along x or y
@@ -43,6 +43,7 @@ struct RimFace {
   double along(const Vec& p) const;                               // [m] from the face's low end, on the reference surface
   int cell_at(double along) const;                                // clamped to the face
   Vec place(double distance, double along, double height) const;  // in space; `height` [m] above the reference surface
+  Vec direction(double along) const;                              // unit, along the face there
 
   const ReferenceSurface* surface = nullptr;
   double x0 = 0, y0 = 0;  // [m] reference coordinates of the low end
@@ -56,6 +57,7 @@ struct RimSettings {
   double strip = 3;             // the buffer's last part, in which they move with the flow outside [d]
   double segment = 16;          // least width of a segment [d]
   std::array<bool, 4> walls{};  // sides of the domain that are walls: upstream, downstream, left, right
+  std::array<bool, 4> open{};   // that material passes
   // [m] reference coordinates from which conveyors lay their blocks, so that a face that is moved goes on with the same grains.
   std::optional<std::array<double, 2>> anchor;  // none: the zone's low corner
 };

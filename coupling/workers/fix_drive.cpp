@@ -6,13 +6,12 @@ namespace couloir {
 
 namespace {
 
-double dot(const Vec& a, const double* b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+Vec vec(const double* x) {
+  return {x[0], x[1], x[2]};
 }
 
-double place_along(const DriveFace& face, const double* x) {
-  return (x[0] - face.origin[0]) * face.along[0] + (x[1] - face.origin[1]) * face.along[1] +
-         (x[2] - face.origin[2]) * face.along[2];
+double distance(const DriveFace& face, const Vec& x) {
+  return dot(from_to(face.origin, x), face.inward);
 }
 
 }  // namespace
@@ -63,8 +62,8 @@ void FixDrive::begin_window(const AdvanceRequest& request) {
   // The window's first drift is already at the new velocity.
   for (int i = 0; i < atom->nlocal; ++i) {
     if (raft_[i] == free_grain) continue;
-    const Vec to = raft_velocity(raft_[i]);
-    add_jump(atom->rmass[i], {atom->v[i][0], atom->v[i][1], atom->v[i][2]}, to);
+    const Vec to = raft_velocity(raft_[i], vec(atom->x[i]));
+    add_jump(atom->rmass[i], vec(atom->v[i]), to);
     for (int k = 0; k < 3; ++k) atom->v[i][k] = to[k];
   }
 }
@@ -81,7 +80,7 @@ void FixDrive::move_rim(const RimMove& move) {
     if (found == raft_of_grain.end()) continue;
     const std::size_t r = static_cast<std::size_t>(raft_[i] = found->second);
     const DriveFace& face = faces_[static_cast<std::size_t>(rafts_[r].face)];
-    sums_[2 * r] += atom->rmass[i] * dot(face.inward, atom->v[i]);
+    sums_[2 * r] += atom->rmass[i] * dot(face.inward, vec(atom->v[i]));
     sums_[2 * r + 1] += atom->rmass[i];
     for (int k = 0; k < 3; ++k) {
       taken_first_[k] += atom->f[i][k];  // the half kick that this step will not give it
@@ -101,7 +100,8 @@ void FixDrive::regroup() {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (raft_[i] == free_grain || rafts_[static_cast<std::size_t>(raft_[i])].drive.slide == 0) continue;
     const int f = rafts_[static_cast<std::size_t>(raft_[i])].face;
-    raft_[i] = raft_of(f, segment_at(faces_[static_cast<std::size_t>(f)], atom->x[i]));
+    const DriveFace& face = faces_[static_cast<std::size_t>(f)];
+    raft_[i] = raft_of(f, segment_at(face, place_on(face, vec(atom->x[i])).along));
   }
   std::vector<double> mass(rafts_.size(), 0.0);
   for (int i = 0; i < atom->nlocal; ++i)
@@ -114,11 +114,12 @@ void FixDrive::note_exits() {
   any_exit_ = std::any_of(rafts_.begin(), rafts_.end(), [](const Raft& raft) { return raft.drive.exit_active; });
 }
 
-Vec FixDrive::raft_velocity(int r) const {
+Vec FixDrive::raft_velocity(int r, const Vec& at) const {
   const Raft& raft = rafts_[static_cast<std::size_t>(r)];
   const DriveFace& face = faces_[static_cast<std::size_t>(raft.face)];
+  const Vec way = place_on(face, at).way;
   Vec v;
-  for (int k = 0; k < 3; ++k) v[k] = raft.velocity * face.inward[k] + raft.drive.slide * face.along[k];
+  for (int k = 0; k < 3; ++k) v[k] = raft.velocity * face.inward[k] + raft.drive.slide * way[k];
   return v;
 }
 
@@ -153,22 +154,18 @@ void FixDrive::post_force(int) {
   for (int k = 0; k < 3; ++k) taken_sum_[k] += taken_[k];
 }
 
-double FixDrive::distance(const DriveFace& face, const double* x) const {
-  return (x[0] - face.origin[0]) * face.inward[0] + (x[1] - face.origin[1]) * face.inward[1] +
-         (x[2] - face.origin[2]) * face.inward[2];
-}
-
-int FixDrive::segment_at(const DriveFace& face, const double* x) const {
-  return std::clamp(static_cast<int>(std::floor(place_along(face, x) / face.segment_width)), 0, face.segments - 1);
+int FixDrive::segment_at(const DriveFace& face, double along) {
+  return std::clamp(static_cast<int>(std::floor(along / face.segment_width)), 0, face.segments - 1);
 }
 
 void FixDrive::release(int i) {
   const Raft& raft = rafts_[static_cast<std::size_t>(raft_[i])];
   const DriveFace& face = faces_[static_cast<std::size_t>(raft.face)];
   raft_[i] = free_grain;
+  const Vec way = place_on(face, vec(atom->x[i])).way;
   Vec freed;
-  for (int k = 0; k < 3; ++k) freed[k] = atom->v[i][k] + (raft.drive.along - raft.drive.slide) * face.along[k];
-  add_jump(atom->rmass[i], {atom->v[i][0], atom->v[i][1], atom->v[i][2]}, freed);
+  for (int k = 0; k < 3; ++k) freed[k] = atom->v[i][k] + (raft.drive.along - raft.drive.slide) * way[k];
+  add_jump(atom->rmass[i], vec(atom->v[i]), freed);
   std::copy(freed.begin(), freed.end(), atom->v[i]);
 }
 
@@ -178,11 +175,11 @@ void FixDrive::release_and_sum() {
     if (raft_[i] == free_grain) continue;
     const std::size_t r = static_cast<std::size_t>(raft_[i]);
     const DriveFace& face = faces_[static_cast<std::size_t>(rafts_[r].face)];
-    if (distance(face, atom->x[i]) >= 0) {
+    if (distance(face, vec(atom->x[i])) >= 0) {
       release(i);
       continue;
     }
-    sums_[2 * r] += dot(face.inward, atom->f[i]);
+    sums_[2 * r] += dot(face.inward, vec(atom->f[i]));
     sums_[2 * r + 1] += atom->rmass[i];
   }
   if (comm->nprocs > 1) {
@@ -210,7 +207,7 @@ void FixDrive::set_velocities() {
   Vec exit;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (raft_[i] != free_grain) {
-      hold(i, raft_velocity(raft_[i]));
+      hold(i, raft_velocity(raft_[i], vec(atom->x[i])));
     } else if (any_exit_ && strip_velocity(atom->x[i], exit)) {
       hold(i, exit);
     }
@@ -220,11 +217,11 @@ void FixDrive::set_velocities() {
 bool FixDrive::strip_velocity(const double* x, Vec& velocity) const {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const DriveFace& face = faces_[f];
-    const double d = distance(face, x);
+    const double d = distance(face, vec(x));
     if (d < -face.strip_end || d > -face.strip_begin) continue;
-    const double s = place_along(face, x);
+    const double s = place_on(face, vec(x)).along;
     if (s < -edge_ || s > face.segments * face.segment_width + edge_) continue;
-    const int segment = segment_at(face, x);
+    const int segment = segment_at(face, s);
     const SegmentDrive& drive = rafts_[static_cast<std::size_t>(raft_of(static_cast<int>(f), segment))].drive;
     if (!drive.exit_active) continue;
     velocity = drive.exit_velocity;

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/engine/grain_engine.hpp"
+#include "coupling/engine/drive_face.hpp"
 #include "coupling/workers/engine_headers.hpp"
 
 namespace couloir {
@@ -39,7 +39,7 @@ class FixDrive : public LAMMPS_NS::Fix {
   void note_exits();  // after drives were set through rafts()
 
   int raft_of(int face, int segment) const { return first_raft_[static_cast<std::size_t>(face)] + segment; }
-  Vec raft_velocity(int raft) const;                 // [m/s]
+  Vec raft_velocity(int raft, const Vec& at) const;  // [m/s] of its grain there
   int& of_grain(int local) { return raft_[local]; }  // free_grain, or its raft
   std::vector<Raft>& rafts() { return rafts_; }
   const std::vector<DriveFace>& faces() const { return faces_; }
@@ -58,8 +58,7 @@ class FixDrive : public LAMMPS_NS::Fix {
   int unpack_exchange(int, double*) override;
 
  private:
-  double distance(const DriveFace&, const double* x) const;
-  int segment_at(const DriveFace&, const double* x) const;
+  static int segment_at(const DriveFace&, double along);
   void move_rim(const RimMove&);
   void regroup();
   void release(int local);

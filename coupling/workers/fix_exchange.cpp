@@ -71,7 +71,7 @@ void FixExchange::insert() {
   const double dt = update->dt;
   for (const NewGrain& grain : order_.insert) {
     const int raft = grain.segment < 0 ? FixDrive::free_grain : drive_->raft_of(grain.face, grain.segment);
-    Vec v = raft == FixDrive::free_grain ? grain.velocity : drive_->raft_velocity(raft);
+    Vec v = raft == FixDrive::free_grain ? grain.velocity : drive_->raft_velocity(raft, grain.position);
     double x[3];
     for (int k = 0; k < 3; ++k) {
       if (raft == FixDrive::free_grain) v[k] += 0.5 * dt * order_.gravity[k];

@@ -173,6 +173,64 @@ TEST_P(Raft, SlidesAlongItsFaceAndIsTakenOverByTheNextSegment) {
   EXPECT_NEAR(a.drive_impulse[1], weight * (along - slide), 1e-15);
 }
 
+// Beside an arc it turns about the arc's axis: it keeps its height above the bed, and its speed is that of a rigid body.
+TEST_P(Raft, TurnsWithItsFaceBesideAnArc) {
+  Folder folder;
+  const double radius = 0.04, turn = 0.9, high = 1.5 * d, slide = 0.2;
+  EngineSetup setup = channel(folder.path, 0);
+  setup.gravity = {0, 0, 0};
+  setup.hi = {0.12, width + d, 0.12};
+  setup.surfaces = {{"far", rectangle({-0.06, width, 0}, {0.18, 0, 0}, {0, 0, 0.12}), 0.2, 0.15}};
+  // The bed: level to x = 0, then up about the axis through (0, 0.04).
+  setup.faces = {{.origin = {-0.03, 0, 0},
+                  .inward = {0, 1, 0},
+                  .along = {1, 0, 0},
+                  .segment_width = 0.1,
+                  .segments = 1,
+                  .strip_begin = 2 * d,
+                  .strip_end = 5 * d,
+                  .bend = {.begin = 0.03, .length = radius * turn, .foot = {0, 0, 0}, .centre = {0, 0, radius}}}};
+  WorkerEngine engine(worker());
+  engine.start(setup);
+  AdvanceRequest request = steps(1);
+  request.insert = {{1, {-0.02, -d, high}, {slide, 0, 0}, 0.5 * d, 0, 0}};
+  request.drives = {{{0, 0, 0, 0, 0, false, {}, slide}}};
+  Advanced a = engine.advance(request);
+  EXPECT_NEAR(a.grains.vz[0], 0, 1e-15);
+  const double m = mass(0.5 * d), arm = radius - high;
+  Vec before{a.grains.vx[0], a.grains.vy[0], a.grains.vz[0]};
+  const auto go = [&](double time) {
+    a = engine.advance(steps(int(std::lround(time / setup.timestep))));
+    EXPECT_NEAR(a.drive_impulse[0], m * (a.grains.vx[0] - before[0]), 1e-12 * m);
+    EXPECT_NEAR(a.drive_impulse[2], m * (a.grains.vz[0] - before[2]), 1e-12 * m);
+    before = {a.grains.vx[0], a.grains.vy[0], a.grains.vz[0]};
+  };
+  go(0.02 / slide);
+  go(0.5 * turn * radius / slide);
+  const double turned = std::atan2(a.grains.x[0], radius - a.grains.z[0]);
+  EXPECT_NEAR(turned, 0.5 * turn, 0.01);
+  EXPECT_NEAR(std::hypot(a.grains.x[0], radius - a.grains.z[0]), arm, 1e-3 * arm);
+  EXPECT_NEAR(a.grains.vx[0], slide * arm / radius * std::cos(turned), 1e-3 * slide);
+  EXPECT_NEAR(a.grains.vz[0], slide * arm / radius * std::sin(turned), 1e-3 * slide);
+  EXPECT_EQ(a.grains.vy[0], 0);
+
+  go((0.5 * turn * radius + 0.01) / slide);  // 10 mm on the straight behind
+  const Vec end{radius * std::sin(turn), 0, radius * (1 - std::cos(turn))};
+  const Vec from_end{a.grains.x[0] - end[0], 0, a.grains.z[0] - end[2]};
+  EXPECT_NEAR(from_end[0] * std::cos(turn) + from_end[2] * std::sin(turn), 0.01, 3e-4);
+  EXPECT_NEAR(-from_end[0] * std::sin(turn) + from_end[2] * std::cos(turn), high, 1e-3 * arm);
+  EXPECT_NEAR(a.grains.vz[0], slide * std::sin(turn), 1e-12);
+
+  request = steps(1);  // and what is let go there goes on that way
+  request.drives = {{{0, 0.1, 0.1, 0.05, 0, false, {}, slide}}};
+  engine.advance(request);
+  a = engine.advance(steps(int(1.2 * d / 0.1 / setup.timestep)));
+  EXPECT_FALSE(a.grains.driven[0]);
+  EXPECT_NEAR(a.grains.vx[0], 0.05 * std::cos(turn), 1e-12);
+  EXPECT_NEAR(a.grains.vz[0], 0.05 * std::sin(turn), 1e-12);
+  EXPECT_NEAR(a.grains.vy[0], 0.1, 1e-12);
+}
+
 // Grains stand jammed between the face and a wall: a raft with a finite push must stop, one with imposed velocity would not.
 TEST_P(Raft, IsStoppedByGrainsInItsWay) {
   Folder folder;

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "small_run.hpp"
 
 namespace couloir {
@@ -62,6 +64,43 @@ TEST(ZoneFollow, WakesWhenFlowComesAgain) {
   EXPECT_THAT(run.events, Contains(Field(&Event::what, HasSubstr("grains rest"))));
   EXPECT_THAT(run.events, Contains(Field(&Event::what, HasSubstr("grains wake: flow comes in again"))));
   for (const WindowReport& w : run.windows) EXPECT_LT(w.mass.relative_error(), 1e-12) << w.time;
+  const auto woken =
+      std::ranges::find_if(run.events, [](const Event& e) { return e.what.find("grains wake") != std::string::npos; });
+  double before = 0, most = 0, overlap = 0;  // [kg] of grains, [-]
+  for (const WindowReport& w : run.windows) {
+    if (w.time <= woken->time) before = w.mass.continuum;
+    if (w.time > woken->time) most = std::max(most, w.mass.grains), overlap = std::max(overlap, w.max_overlap);
+  }
+  EXPECT_GT(most, 0.1 * before) << "what comes after it has woken becomes grains";
+  EXPECT_LT(overlap, 0.1) << "none is laid into another";
+}
+
+// Two surges of the same mass, a pause between them: both become grains, the second not laid into what the first left in the
+// layer.
+TEST(ZoneFollow, TakesASecondSurgeAsTheFirst) {
+  const Watched run = watch(
+      channel(
+          {{"release", "{kind: none}"},
+           {"obstacles", "{}"},
+           {"terrain.length", "900 mm"},
+           {"boundaries.upstream",
+            "{inflow: {kind: hydrograph, hydrograph: [[0 s, 15 mm, 0.8 m/s], [0.1 s, 15 mm, 0.8 m/s], [0.101 s, 0 mm, 0.8 m/s], "
+            "[0.3 s, 0 mm, 0.8 m/s], [0.301 s, 15 mm, 0.8 m/s], [0.401 s, 15 mm, 0.8 m/s], [0.402 s, 0 mm, 0.8 m/s]]}}"},
+           {"grains.diameter", "8 mm"},
+           {"grains.follow", "off"},
+           {"duration", "0.95 s"}}),
+      options_in(fresh_folder("surges")));
+  ASSERT_EQ(run.end.status, "done");
+  double first = 0, second = 0;  // [kg] most that was in the zone
+  for (const WindowReport& w : run.windows) {
+    EXPECT_LT(w.mass.relative_error(), 1e-12) << w.time;
+    EXPECT_LT(w.max_overlap, 0.1) << w.time;
+    double& most = w.time < 0.63 ? first : second;
+    most = std::max(most, w.mass.grains);
+  }
+  std::printf("in the zone: %.4f kg of the first surge, %.4f kg of the second\n", first, second);
+  EXPECT_GT(first, 0.02);
+  EXPECT_NEAR(second / first, 1, 0.15);
 }
 
 TEST(SeveralZones, EachObstacleHasItsOwnEngine) {

@@ -78,6 +78,38 @@ TEST(ZonePlaces, WithSeveralObstacles) {
                "size: [10 mm, 30 mm, 40 mm]}, wedge: {shape: tetrahedron, position: [265 mm, 0], size: [40 mm, 40 mm, 30 mm]}}"));
 }
 
+// A flow that is the same everywhere across the slope runs along both sides of a zone that lies across the arc: neither spreads
+// what stands inside through the sides, nor is the flow dammed up before them.
+TEST(ZonePlaces, FlowAlongItsSidesAcrossTheArcStaysAsItIs) {
+  const Scene scene = small_scene(
+      "coupled",
+      {{"terrain", "{kind: chute, angle: 35 deg, slope: 400 mm, arc: 200 mm, runout: 400 mm, width: 240 mm}"},
+       {"release", "{kind: block, position: [0 mm, 0], length: 250 mm, width: 240 mm, height: 30 mm, velocity: 1.5 m/s}"},
+       {"boundaries", "{left: periodic, right: periodic}"},
+       {"obstacles", "{}"},
+       {"grains.diameter", "8 mm"},
+       {"grains.zone", "{x: [320 mm, 660 mm], y: [-60 mm, 60 mm]}"},
+       {"record.frames", "10 ms"},
+       {"duration", "0.22 s"}});
+  const Watched run = watch(scene, options_in(fresh_folder("along_the_arc")));
+  EXPECT_LE(kept(run).mass, 1e-12);
+  const auto depth = [&](double y0, double y1) {  // [m] on the arc where y0 < |y| < y1, the last frames' mean
+    double sum = 0;
+    int n = 0;
+    for (std::size_t f = run.frames.size() - 5; f < run.frames.size(); ++f)
+      for (int j = 0; j < 24; ++j)
+        for (int i = 43; i < 57; ++i)
+          if (const double y = std::abs(0.01 * j - 0.115); y > y0 && y < y1) sum += run.frames[f][std::size_t(100 * j + i)], ++n;
+    return sum / n;
+  };
+  const double all = depth(0, 1);
+  std::printf("on the arc: %.4f m; in the zone %.4f, along its sides %.4f inside, %.4f outside\n", all, depth(0, 0.06),
+              depth(0.04, 0.06), depth(0.06, 0.08));
+  EXPECT_NEAR(depth(0, 0.06), all, 0.06 * all);
+  EXPECT_NEAR(depth(0.04, 0.06), all, 0.1 * all) << "spread through its sides";
+  EXPECT_NEAR(depth(0.06, 0.08), all, 0.1 * all) << "dammed up beside it";
+}
+
 // What flows in the zone across the arc with nothing in it is what grains do there without a zone.
 TEST(ZonePlaces, AnEmptyZoneAcrossTheArcIsAsGrainsAre) {
   Overrides set{{"terrain", "{kind: chute, angle: 35 deg, slope: 400 mm, arc: 200 mm, runout: 400 mm, width: 60 mm}"},

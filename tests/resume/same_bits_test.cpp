@@ -10,6 +10,8 @@ struct Kind {
   const char* mode;
   Overrides more;
   int threads = 1;
+  const char* scene = "small_wall";
+  const char* happens = "";  // an event that the run must have
 };
 
 const Overrides with_gauges{
@@ -24,7 +26,10 @@ class SameBits : public testing::TestWithParam<Kind> {};
 
 TEST_P(SameBits, AsTheUnbrokenRun) {
   const Kind& kind = GetParam();
-  const Scene scene = small_scene(kind.mode, kind.more);
+  Overrides set = kind.more;
+  set.insert(set.begin(), {"mode", kind.mode});
+  const Scene scene = read_scene(fmt::format("{}/tests/scenes/{}.yaml", COULOIR_SOURCE_DIR, kind.scene),
+                                 COULOIR_SOURCE_DIR "/dem_inputs/materials", set);
   RecordedRun whole(fmt::format("{}_whole", kind.name), scene), broken(fmt::format("{}_broken", kind.name), scene);
   whole.options.threads = broken.options.threads = kind.threads;
   ASSERT_EQ(whole.go(false).status, "done");
@@ -36,6 +41,7 @@ TEST_P(SameBits, AsTheUnbrokenRun) {
   EXPECT_GT(second.checkpoint, 0.5 * scene.duration);
   ASSERT_EQ(broken.go(true).status, "done");
   expect_same(whole, broken);
+  EXPECT_NE(broken.figures().at("events").dump().find(kind.happens), std::string::npos);
 }
 
 const Overrides quick_grains{{"duration", "0.14 s"}, {"record.frames", "20 ms"}, {"record.checkpoint", "9 ms"}};
@@ -71,6 +77,14 @@ INSTANTIATE_TEST_SUITE_P(
              quick({{"grains.rotation", "{control: {retarding_time: 5 ms}}"}, {"duration", "0.1 s"}})},
         Kind{"coupled_to_the_edge", "coupled",
              quick({{"grains.zone", "{x: [270 mm, 600 mm], y: [-100 mm, 100 mm]}"}, {"duration", "0.22 s"}})},
+        Kind{"coupled_grows", "coupled", quick({{"grains.diameter", "8 mm"}, {"duration", "0.4 s"}}), 1, "channel_wall",
+             "zone grows"},
+        Kind{"coupled_airborne", "coupled",
+             quick({{"release",
+                     "{kind: block, position: [100 mm, 0], length: 100 mm, width: 60 mm, height: 20 mm, velocity: 2.5 m/s}"},
+                    {"obstacles.wall.size", "[10 mm, 100 mm, 15 mm]"},
+                    {"duration", "0.2 s"}})},
+        Kind{"coupled_oblique", "coupled", quick({{"release.velocity_across", "0.5 m/s"}, {"duration", "0.16 s"}})},
         Kind{"coupled_yade", "coupled", quick({{"grains.engine", "yade"}, {"duration", "0.1 s"}})},
         Kind{"grains", "grains", quick({{"duration", "50 ms"}, {"record.checkpoint", "2 ms"}})},
         Kind{"grains_two_ranks", "grains", quick({{"grains.ranks", "2"}, {"duration", "50 ms"}, {"record.checkpoint", "2 ms"}})},

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "coupling/engine/drive_face.hpp"
+
 namespace couloir {
 namespace {
 
@@ -84,6 +86,45 @@ TEST(Rim, APlaceIsWhereItsDistanceAndItsCellSay) {
       }
     }
   }
+}
+
+// What the engine knows of a face is what the exchange knows.
+TEST(Rim, TheEngineFindsPlaceAndWayAlongAFaceBesideAnArc) {
+  const auto surface = ReferenceSurface::chute(0.8, 0.3, 0.4, 0.3);
+  const double radius = 0.4 / 0.8;
+  // Over both ends of the arc, from within it, on the incline, on the run-out.
+  for (const CellBox& zone :
+       {CellBox{20, 90, 10, 30}, CellBox{45, 80, 10, 30}, CellBox{5, 25, 10, 30}, CellBox{75, 95, 10, 30}}) {
+    const Rim rim(grid, zone, surface, settings);
+    for (const RimFace& face : rim.faces())
+      for (double along = 0.005; along < face.extent(); along += 0.01)
+        for (double height : {0.0, 0.03}) {
+          const PlaceOnFace at = place_on(face.drive, face.place(-0.004, along, height));
+          const double x = face.x0 + (face.axis() == 0 ? -0.004 * face.sign() : along);
+          const bool on_arc = x > 0.3 && x < 0.7;
+          const Vec way = face.direction(along);
+          EXPECT_NEAR(at.along, along, 1e-12);
+          for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(at.way[k], way[k] * (face.axis() == 1 && on_arc ? 1 - height / radius : 1), 1e-12);
+        }
+  }
+}
+
+TEST(Rim, AFaceSlidesBetweenEndsThatLetTheFlowPass) {
+  RimSettings s = settings;
+  s.open = {true, false, false, true};  // the others are walls, or periodic
+  const auto surface = ReferenceSurface::chute(0.8, 0.3, 0.4, 0.3);
+  const auto slides = [&](const CellBox& box) {
+    std::vector<bool> all;
+    const Rim rim(grid, box, surface, s);
+    for (const RimFace& face : rim.faces()) all.push_back(face.slides);
+    return all;
+  };
+  EXPECT_EQ(slides({20, 90, 10, 30}), (std::vector<bool>{true, true, true, true}));
+  EXPECT_EQ(slides({0, 60, 10, 30}), (std::vector<bool>{true, true, true})) << "flow comes in upstream";
+  EXPECT_EQ(slides({20, 100, 10, 30}), (std::vector<bool>{true, false, false})) << "a wall stands downstream";
+  EXPECT_EQ(slides({20, 60, 10, 40}), (std::vector<bool>{true, true, true})) << "it goes out at the right";
+  EXPECT_EQ(slides({20, 60, 0, 40}), (std::vector<bool>{false, false})) << "a wall stands at the left";
 }
 
 TEST(Rim, SegmentsAreAtLeastAsWideAsAskedAndCoverTheFace) {

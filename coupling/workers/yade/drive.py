@@ -7,7 +7,8 @@
     set         v = u n + slide along for the next drift; the grains' degrees of freedom are blocked, so the integrator leaves them alone
 
 A raft is moved by a TranslationEngine and its forces are summed by a ForceRecorder, both C++ over a list of bodies: a step costs
-the same however many grains a raft has. Grains of a strip keep the velocity they are given, since nothing else changes it.
+the same however many grains a raft has. Grains of a strip keep the velocity they are given, since nothing else changes it; so do
+those of a raft beside an arc, which are turned step by step.
 """
 import math
 
@@ -16,6 +17,7 @@ from yade import O
 from yade.minieigenHP import Vector3
 from yade.wrapper import ForceRecorder, TranslationEngine
 
+from . import face as faces_
 from .book import POSITION, states_of
 from .messages import Drive as SegmentDrive
 from .rotation import first_blocked
@@ -35,6 +37,7 @@ class Raft:
     def __init__(self, face):
         self.face = face
         self.origin, self.inward, self.along = (Vector3(*v.tolist()) for v in (face.origin, face.inward, face.along))
+        self.bends = face.bend.length > 0
         self.drive = SegmentDrive()
         self.velocity = self.mass = self.travel = self.displacement = self.force = 0.0
         self.members = []  # the next to pass the plane last
@@ -44,20 +47,27 @@ class Raft:
     def distance(self, position):
         return (position - self.origin).dot(self.inward)
 
-    def place(self, position):
-        """The segment of its face."""
-        s = (position - self.origin).dot(self.along)
-        return min(max(int(s // self.face.segment_width), 0), self.face.segments - 1)
+    def ways(self, members):
+        """Which way along the face leads for each."""
+        if not self.bends or not members:
+            return [self.along] * len(members)
+        return [Vector3(*v) for v in faces_.way(self.face, [m.state.pos for m in members]).tolist()]
 
-    def course(self):
-        return self.velocity * self.inward + self.drive.slide * self.along
+    def segments(self, members):
+        """The segment of its face where each is."""
+        s = faces_.place_along(self.face, [m.state.pos for m in members])
+        return np.clip(np.floor(s / self.face.segment_width).astype(int), 0, self.face.segments - 1).tolist()
+
+    def course(self, way):
+        """The velocity of its grain where `way` leads along the face."""
+        return self.velocity * self.inward + self.drive.slide * way
 
     def steer(self):
         """After the course has changed."""
         if self.drive.slide == 0:
             self.mover.translationAxis, self.mover.velocity = self.inward, self.velocity
             return
-        course = self.course()
+        course = self.course(self.along)
         speed = course.norm()
         self.mover.translationAxis, self.mover.velocity = course / speed, speed
 
@@ -66,7 +76,7 @@ class Raft:
         self.members.sort(key=lambda m: (m.key, -m.id))
         self.mass = math.fsum(m.mass for m in self.members)
         self.mover.ids = self.probe.ids = [m.body for m in self.members]
-        self.mover.dead = not self.members
+        self.mover.dead = not self.members or self.bends
 
     def speed(self, wanted):
         d = self.drive
@@ -126,7 +136,8 @@ class Drive:
         if rim_move:
             self._move_rim(*rim_move)
         for raft, drive in zip(self.rafts, [d for face in drives for d in face]):
-            self._jump = self._jump + raft.mass * (drive.slide - raft.drive.slide) * raft.along
+            if not raft.bends:
+                self._jump = self._jump + raft.mass * (drive.slide - raft.drive.slide) * raft.along
             raft.drive = drive
         self._regroup()
         for raft in self.rafts:
@@ -141,15 +152,17 @@ class Drive:
             if len(own) < 2 or not any(raft.drive.slide for raft in own):
                 continue
             for raft in own:
-                for m in raft.members if raft.drive.slide else []:
-                    to = self.rafts[first + raft.place(m.state.pos)]
-                    if to is not raft:
-                        changed.append((raft, to, m))
+                if raft.members and raft.drive.slide:
+                    for m, segment in zip(raft.members, raft.segments(raft.members)):
+                        to = self.rafts[first + segment]
+                        if to is not raft:
+                            changed.append((raft, to, m))
         for raft, to, m in changed:
             raft.members.remove(m)
             m.key = to.distance(m.state.pos) - to.travel
             to.members.append(m)
-            self._jump = self._jump + m.mass * (to.course() - raft.course())
+            if not to.bends:
+                self._jump = self._jump + m.mass * (to.course(to.along) - raft.course(raft.along))
         for raft in {r for raft, to, _ in changed for r in (raft, to)}:
             raft.settle_members()
 
@@ -180,7 +193,7 @@ class Drive:
             if raft.members:
                 momentum = math.fsum(m.mass * m.state.vel.dot(raft.inward) for m in raft.members)
                 raft.velocity = momentum / raft.mass
-                for m in raft.members:
+                for m in raft.members if not raft.bends else []:
                     self._jump = self._jump + m.mass * (raft.velocity * raft.inward - m.state.vel)
 
     def _pull(self, member):
@@ -190,7 +203,10 @@ class Drive:
         """A new grain of a raft; velocity: as it was given."""
         member.state.blockedDOFs = FIXED
         member.key = raft.distance(member.state.pos) - raft.travel
-        self._jump = self._jump + member.mass * (raft.course() - velocity)
+        course = raft.course(raft.ways([member])[0])
+        self._jump = self._jump + member.mass * (course - velocity)
+        if raft.bends:
+            member.state.vel = course
         raft.members.append(member)
 
     def watch(self, ids, bodies, mass, states, steps, body_of):
@@ -248,10 +264,20 @@ class Drive:
         self._strip_probe.ids = [m.body for m in members]
 
     def _set_speed(self, raft, speed):
+        if raft.bends:
+            raft.velocity = speed
+            self._turn(raft)
+            return
         if raft.members:
             self._jump = self._jump + raft.mass * (speed - raft.velocity) * raft.inward
         raft.velocity = speed
         raft.steer()
+
+    def _turn(self, raft):
+        for m, way in zip(raft.members, raft.ways(raft.members)):
+            course = raft.course(way)
+            self._jump = self._jump + m.mass * (course - m.state.vel)
+            m.state.vel = course
 
     def _release(self, raft):
         while raft.members and raft.distance(raft.members[-1].state.pos) >= 0:
@@ -260,9 +286,11 @@ class Drive:
 
     def _release_last(self, raft):
         m = raft.members.pop()
-        m.state.vel = raft.velocity * raft.inward + raft.drive.along * raft.along
+        way, = raft.ways([m])
+        was = Vector3(m.state.vel) if raft.bends else raft.course(way)
+        m.state.vel = raft.velocity * raft.inward + raft.drive.along * way
         m.state.blockedDOFs = self._free
-        self._jump = self._jump + m.mass * (raft.drive.along - raft.drive.slide) * raft.along
+        self._jump = self._jump + m.mass * (m.state.vel - was)
 
     def _look(self):
         """Who is in a strip now?"""
@@ -270,7 +298,7 @@ class Drive:
         raft_of = np.full(len(position), -1)
         for face, first in zip(self.faces, self.first_raft):
             d = (position - face.origin) @ face.inward
-            s = (position - face.origin) @ face.along
+            s = faces_.place_along(face, position)
             within = ((d >= -face.strip_end) & (d <= -face.strip_begin) & (s >= -self._edge) &
                       (s <= face.segments * face.segment_width + self._edge) & (raft_of < 0))
             segment = np.clip(np.floor(s / face.segment_width).astype(int), 0, face.segments - 1)

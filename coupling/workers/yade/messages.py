@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import msgpack
 import numpy as np
 
-VERSION = 8
+VERSION = 9
 HELLO, START, STARTED, ADVANCE, CHECKPOINT, STOP, DONE, HEARTBEAT, ADVANCED, FAILED = range(10)
 CONTACT_LAWS = ("hertz", "kelvin_voigt")
 ROTATIONS = ("free", "blocked", "control")
@@ -22,6 +22,14 @@ class Surface:
 
 
 @dataclass
+class Bend:
+    begin: float
+    length: float
+    foot: np.ndarray
+    centre: np.ndarray
+
+
+@dataclass
 class Face:
     origin: np.ndarray
     inward: np.ndarray
@@ -30,6 +38,7 @@ class Face:
     segments: int
     strip_begin: float
     strip_end: float
+    bend: Bend
 
 
 @dataclass
@@ -148,7 +157,11 @@ def start(body):
 
 
 def faces(all):
-    return [Face(*(np.array(v, float) for v in face[:3]), *face[3:]) for face in all]
+    return [Face(*(np.array(v, float) for v in face[:3]), *face[3:7], bend(*face[7])) for face in all]
+
+
+def bend(begin, length, foot, centre):
+    return Bend(begin, length, np.array(foot, float), np.array(centre, float))
 
 
 def request(body):

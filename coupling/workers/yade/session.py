@@ -153,9 +153,10 @@ class Session:
         """All grains, those of rafts with the velocity that their raft has now."""
         states = self.book.states()
         ids, rafts = self.drive.driven_ids()
-        velocities = np.array([messages.vector(raft.course()) for raft in self.drive.rafts]).reshape(-1, 3)
         rows = self.book.rows(ids)
-        states[rows, VELOCITY] = velocities[rafts]
+        velocities = np.array([messages.vector(raft.course(raft.along)) for raft in self.drive.rafts]).reshape(-1, 3)
+        moved = ~np.array([raft.bends for raft in self.drive.rafts], bool)[rafts]  # the others have theirs
+        states[rows[moved], VELOCITY] = velocities[rafts[moved]]
         states[rows, SPIN] = 0
         return states
 

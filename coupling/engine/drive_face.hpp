@@ -1,0 +1,47 @@
+#pragma once
+// Where a point stands with respect to a rim face, and which way along it leads there.
+
+#include <cmath>
+
+#include "coupling/engine/grain_engine.hpp"
+
+namespace couloir {
+
+inline double dot(const Vec& a, const Vec& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Vec from_to(const Vec& a, const Vec& b) {
+  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+}
+
+struct PlaceOnFace {
+  double along;  // [m] from the face's low end, measured on the bed
+  // The velocity there of a layer that moves along at 1: about the arc's axis it turns as a rigid body, so that its grains keep
+  // their distances.
+  Vec way;
+};
+
+//    foot  .  .  . centre
+//     |  \ turned
+//     |     \             towards `foot` the angle is 0; before it, and past the arc's other end, the edge is straight
+//   --+ . . . \ . point
+inline PlaceOnFace place_on(const DriveFace& face, const Vec& point) {
+  const Bend& bend = face.bend;
+  if (bend.length == 0) return {dot(from_to(face.origin, point), face.along), face.along};
+  const Vec down = from_to(bend.centre, bend.foot), arm = from_to(bend.centre, point);
+  const double radius = std::sqrt(dot(down, down));
+  const double ahead = dot(arm, face.along), below = dot(arm, down) / radius;
+  if (ahead <= 0) return {bend.begin + ahead, face.along};
+  const auto direction = [&](double on, double off) {  // of the first tangent and of `down`
+    Vec v;
+    for (int k = 0; k < 3; ++k) v[k] = on * face.along[k] + off * down[k] / radius;
+    return v;
+  };
+  const double turned = std::atan2(ahead, below), whole = bend.length / radius;
+  if (turned < whole) return {bend.begin + turned * radius, direction(below / radius, -ahead / radius)};
+  const double c = std::cos(whole), s = std::sin(whole);
+  return {bend.begin + bend.length + c * ahead - s * below, direction(c, -s)};
+}
+
+}  // namespace couloir
