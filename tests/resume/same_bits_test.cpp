@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
              quick({{"grains.rotation", "{control: {retarding_time: 5 ms}}"}, {"duration", "0.1 s"}})},
         Kind{"coupled_to_the_edge", "coupled",
              quick({{"grains.zone", "{x: [270 mm, 600 mm], y: [-100 mm, 100 mm]}"}, {"duration", "0.22 s"}})},
-        Kind{"coupled_grows", "coupled", quick({{"grains.diameter", "8 mm"}, {"duration", "0.4 s"}}), 1, "channel_wall",
+        Kind{"coupled_grows", "coupled", quick({{"grains.diameter", "7 mm"}, {"duration", "0.3 s"}}), 1, "channel_wall",
              "zone grows"},
         Kind{"coupled_airborne", "coupled",
              quick({{"release",
