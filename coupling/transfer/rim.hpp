@@ -38,10 +38,11 @@ struct RimFace {
     const auto [first, past] = cells_of_segment(s);
     return {first * cell_width, past * cell_width};
   }
-  double extent() const { return cells * cell_width; }            // [m]
-  double distance(const Vec& p) const;                            // [m] along the inward normal, positive in the zone
-  double along(const Vec& p) const;                               // [m] from the face's low end, on the reference surface
-  int cell_at(double along) const;                                // clamped to the face
+  double extent() const { return cells * cell_width; }  // [m]
+  double distance(const Vec& p) const;                  // [m] along the inward normal, positive in the zone
+  double along(const Vec& p) const;                     // [m] from the face's low end, on the reference surface
+  int cell_at(double along) const;                      // clamped to the face
+  int segment_at(const Vec& p) const { return segment_of_cell(cell_at(along(p))); }
   Vec place(double distance, double along, double height) const;  // in space; `height` [m] above the reference surface
   Vec direction(double along) const;                              // unit, along the face there
 

@@ -63,7 +63,7 @@ std::vector<NewGrain> Zone::take_over(Solver& solver) {
         filled += m;
       } else {
         const RimFace& face = rim_.faces()[out_of];
-        const int segment = face.segment_of_cell(face.cell_at(face.along(g.position)));
+        const int segment = face.segment_at(g.position);
         if (segments_[out_of][segment].inflow) {
           if (distance < -rim_.layer()) continue;
           g.face = out_of;
@@ -175,34 +175,30 @@ AdvanceRequest Zone::request(Solver& solver) {
     slid_[f] = 0;
     std::vector<SegmentDrive> drives(face.segments);
     for (int s = 0; s < face.segments; ++s) {
-      Segment& segment = segments_[f][s];
-      const auto [first, last] = face.cells_of_segment(s);
       conveyors_[f].owe(s, given[s]);
-      SegmentDrive& drive = drives[s];
-      if (segment.inflow) {
-        const std::size_t first_new = request.insert.size();
-        conveyors_[f].advance(s,
-                              {segment.displacement, given[s], layer_due(solver, f, s), segment.raft, slide_[f], open_end(f, s)},
-                              depth, occupied(f, request.insert), next_id_, request.insert);
-        for (std::size_t n = first_new; n < request.insert.size(); ++n) note_driven(request.insert[n]);
-        double force = 0;
-        for (int k = first; k < last; ++k) force += push_on_grains(solver, f, k, segment.raft);
-        drive.push = force * face.cell_width * table_->bulk_density();
-        drive.most = segment.normal;
-        drive.least = fresh_ ? drive.most : std::min(drive.most, -0.25 * std::sqrt(settings_.gravity * segment.depth));
-        drive.along = segment.along;
-        drive.least_mass = 5 * table_->mean_mass();
+      if (segments_[f][s].inflow) {
+        feed(solver, f, s, given[s], depth, request.insert);
+        drive_raft(solver, f, s, drives[s]);
       } else {
         conveyors_[f].empty(s);
-        drive_strip(solver, face, first, last, drive);
+        drive_strip(solver, f, s, drives[s]);
       }
-      drive.slide = slide_[f];
+      drives[s].slide = slide_[f];
     }
     request.drives.push_back(std::move(drives));
   }
   fresh_ = false;
   inserted_ += long(request.insert.size());
   return request;
+}
+
+void Zone::feed(const Solver& solver, int f, int s, double given, const std::vector<double>& depth,
+                std::vector<NewGrain>& grains) {
+  const Segment& segment = segments_[f][s];
+  const std::size_t first_new = grains.size();
+  conveyors_[f].advance(s, {segment.displacement, given, layer_due(solver, f, s), segment.raft, slide_[f], open_end(f, s)}, depth,
+                        occupied(f, grains), next_id_, grains);
+  for (std::size_t n = first_new; n < grains.size(); ++n) note_driven(grains[n]);
 }
 
 void Zone::absorb(const Advanced& advanced, Solver& solver, Airborne* airborne) {

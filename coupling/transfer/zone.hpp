@@ -112,7 +112,9 @@ class Zone {
   double weight(int face, int k) const;        // [m/s2] of the flow on its bed outside of cell k
   double push(const Solver&, int face, int k, double raft, double weight) const;  // [m3/s2] per unit width and density
   double push_on_grains(const Solver&, int face, int k, double raft) const;
-  void drive_strip(const Solver&, const RimFace&, int first, int last, SegmentDrive&) const;  // of shadows; cells [first, last)
+  void feed(const Solver&, int face, int segment, double given, const std::vector<double>& depth, std::vector<NewGrain>&);
+  void drive_raft(const Solver&, int face, int segment, SegmentDrive&) const;
+  void drive_strip(const Solver&, int face, int segment, SegmentDrive&) const;  // of shadows
   void find_layer(const Grains&);
   void show(const Grains&, Solver&, bool moving);                                     // in the covered cells
   double layer_due(const Solver&, int face, int segment) const;                       // [kg] Conveyor::Pull

@@ -39,8 +39,7 @@ void Zone::find_layer(const Grains& g) {
     }
     const int f = face_of_driven_[g.id[i]];
     const RimFace& face = rim_.faces()[f];
-    layer_.push_back(
-        {g.id[i], p, {g.vx[i], g.vy[i], g.vz[i]}, g.radius[i], f, face.segment_of_cell(face.cell_at(face.along(p)))});
+    layer_.push_back({g.id[i], p, {g.vx[i], g.vy[i], g.vz[i]}, g.radius[i], f, face.segment_at(p)});
   }
 }
 
@@ -96,7 +95,7 @@ void Zone::note_released(const Grains& grains) {
     if (grains.driven[i] || !is_driven(grains.id[i])) continue;
     const int f = face_of_driven_[grains.id[i]];
     const RimFace& face = rim_.faces()[f];
-    const int s = face.segment_of_cell(face.cell_at(face.along({grains.x[i], grains.y[i], grains.z[i]})));
+    const int s = face.segment_at({grains.x[i], grains.y[i], grains.z[i]});
     conveyors_[f].owe(s, -table_->grain_mass(grains.radius[i]));
     face_of_driven_[grains.id[i]] = -1;
   }

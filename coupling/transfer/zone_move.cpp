@@ -164,7 +164,7 @@ class RimMover {
     for (int f = 0; f < int(faces.size()); ++f)
       if (const double s = faces[f].distance(p); s < out.distance) out.face = f, out.distance = s;
     if (out.face < 0) return out;
-    out.segment = faces[out.face].segment_of_cell(faces[out.face].cell_at(faces[out.face].along(p)));
+    out.segment = faces[out.face].segment_at(p);
     out.inflow = now_.segments_[out.face][out.segment].inflow;
     return out;
   }

@@ -78,7 +78,22 @@ double Zone::push(const Solver& solver, int f, int k, double raft, double weight
   return q.h * w * w + 0.5 * pressure * q.h * q.h + q.h * w * (w + std::sqrt(pressure * q.h));
 }
 
-void Zone::drive_strip(const Solver& solver, const RimFace& face, int first, int last, SegmentDrive& drive) const {
+void Zone::drive_raft(const Solver& solver, int f, int s, SegmentDrive& drive) const {
+  const RimFace& face = rim_.faces()[f];
+  const Segment& segment = segments_[f][s];
+  const auto [first, last] = face.cells_of_segment(s);
+  double force = 0;
+  for (int k = first; k < last; ++k) force += push_on_grains(solver, f, k, segment.raft);
+  drive.push = force * face.cell_width * table_->bulk_density();
+  drive.most = segment.normal;
+  drive.least = fresh_ ? drive.most : std::min(drive.most, -0.25 * std::sqrt(settings_.gravity * segment.depth));
+  drive.along = segment.along;
+  drive.least_mass = 5 * table_->mean_mass();
+}
+
+void Zone::drive_strip(const Solver& solver, int f, int s, SegmentDrive& drive) const {
+  const RimFace& face = rim_.faces()[f];
+  const auto [first, last] = face.cells_of_segment(s);
   const int reach = int(rim_.buffer() / (face.axis() == 0 ? grid_.dx : grid_.dy)), outwards = -int(face.sign());
   const auto mean = [&](bool beyond) {  // over the segment's cells: where the strip stands, or just inside of the face
     FlowState sum;
