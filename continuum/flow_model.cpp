@@ -56,7 +56,8 @@ void FlowModel::advance_to(double t_end) {
     if (dt < least_step * span) fail_step(dt);
     if (left <= dt) {
       step(left);
-      if (t_end - time() < 1e-9 * left) set_time(t_end);  // it may have been cut shorter
+      // It may have been cut shorter, and the next one again, down to what the clock no longer resolves.
+      if (t_end - time() < 1e-9 * span) set_time(t_end);
     } else {
       step(std::min(dt, 0.5 * left));  // no splinter of a last step
     }
