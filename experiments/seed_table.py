@@ -4,18 +4,28 @@ import argparse
 import json
 
 
+# What the text gives as an interval, or friction allows: shown as such, without a deviation.
+INTERVALS = ("final on the wall", "peak over end", "climb", "share over the wall")
+WEIGHT = ["seed table", "measured", "exact", "regression"]  # which expectation of one figure stands in the column
+
+
 def rows(findings):
+    """A row for each figure; what was not run keeps the value that expected.yaml holds of an earlier revision."""
     out = {}
     for f in findings:
-        if f["verdict"] == "skipped":
-            continue
         name = f["case"]
         shown_in = name if name.startswith(("Table", "Figure")) else f["source"]
         source = shown_in.split(",")[0].split(" row ")[0]
         key = (f["experiment"], name, source if source.startswith(("Table", "Figure")) else name, column(f["quantity"]))
-        row = out.setdefault(key, {"quantity": key[3], "expected": f["expected"], "unit": f["unit"], "span": f["tolerance"]})
-        row[f["variant"] or "default"] = f["value"]
-    return out
+        row = out.setdefault(key, {"quantity": key[3], "evidence": "", "kept": {}})
+        if not row["evidence"] or WEIGHT.index(f["evidence"]) < WEIGHT.index(row["evidence"]):
+            row.update(expected=f["expected"], unit=f["unit"], span=f["tolerance"], evidence=f["evidence"], source=f["source"])
+        variant = f["variant"] or "default"
+        if f["verdict"] != "skipped":
+            row[variant] = f["value"]
+        elif f["evidence"] == "regression":
+            row["kept"][variant] = f["expected"]
+    return {key: row for key, row in out.items() if row["kept"] or "default" in row or "seed" in row}
 
 
 def column(quantity):
@@ -25,16 +35,33 @@ def column(quantity):
     if quantity.endswith("elevation_upstream.mean") or quantity.startswith("obstacles.wall.impulse / time"):
         return "mean force"
     return {"critical": "critical height", "gauges.base.depth_final": "depth on the cuboid", "walls.downstream.peak": "peak on the wall",
-            "walls.downstream.final": "final on the wall"}.get(quantity, quantity)
+            "walls.downstream.final": "final on the wall", "walls.downstream.peak / walls.downstream.final": "peak over end",
+            "obstacles.wall.max_climbed": "climb", "obstacles.wall.overflow / mass.initial": "share over the wall"}.get(quantity, quantity)
 
 
 def shown(row, variant):
-    value = row.get(variant)
+    value, mark = row.get(variant), ""
+    if value is None:
+        value, mark = row["kept"].get(variant), "\u00b0"
     if value is None:
         return "-"
-    expected = row["expected"] if row["quantity"] != "final on the wall" else 0
+    expected = 0 if row["quantity"] in INTERVALS or expected_text(row) == "-" else row["expected"]
     off = f" ({100 * (value / expected - 1):+.0f} %)" if expected else ""
-    return f"{value:.4g}{off}"
+    return f"{value:.4g}{mark}{off}"
+
+
+def expected_text(row):
+    unit = f" x {row['unit']}" if row["unit"][:1].isdigit() else f" {row['unit']}" if row["unit"] else ""
+    if row["evidence"] == "regression" and not row["source"].startswith("literal solver"):
+        return "-"
+    if row["quantity"] in INTERVALS and row["span"]:
+        return f"{row['expected'] - row['span']:.3g} to {row['expected'] + row['span']:.3g}{unit}"
+    return f"{row['expected']:.4g}{unit}"
+
+
+def value(row, variant):
+    found = row.get(variant, row["kept"].get(variant))
+    return float("nan") if found is None else found
 
 
 def numbers(row_name):
@@ -62,7 +89,7 @@ def draw(table, out):
             pairs = any(" / " in name for name, _ in chosen)
             x = range(len(chosen)) if pairs else [numbers(name)[0] for name, _ in chosen]
             for variant, label, color, mark in looks:
-                y = [row.get(variant) if row.get(variant) is not None else float("nan") for _, row in chosen]
+                y = [value(row, variant) for _, row in chosen]
                 if source == "Figure 7.8" and variant == "expected":
                     label = "literal solver (the figure has no numbers)"
                 if source == "Table 5.5" and variant == "default":
@@ -79,19 +106,16 @@ def draw(table, out):
 
 
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-arguments.add_argument("findings", nargs="+", help="what `couloir check EXPERIMENT --json` printed, with the variants seed and default")
+arguments.add_argument("findings", nargs="+", help="what `couloir check EXPERIMENT --json` printed, with the variants seed and default; "
+                       "a later file's figures stand for those of an earlier one")
 arguments.add_argument("--picture", help="draw the tables into this file")
 given = arguments.parse_args()
 table = rows([f for name in given.findings for f in json.load(open(name))])
-print("| of | row | quantity | expected | `noc` + `elevation` | default |\n| --- | --- | --- | --- | --- | --- |")
+print("| of | row | quantity | dissertation | `noc` + `elevation` | default |\n| --- | --- | --- | --- | --- | --- |")
 for (experiment, name, source, quantity), row in table.items():
     if quantity in ("mass.initial", "mass.relative_error", "momentum.relative_residual"):
         continue  # ledgers; couloir check has them
-    unit = f" x {row['unit']}" if row["unit"][:1].isdigit() else f" {row['unit']}" if row["unit"] else ""
-    expected = f"{row['expected']:.4g}"
-    if quantity == "final on the wall":  # what friction allows
-        expected = f"{row['expected'] - row['span']:.0f} to {row['expected'] + row['span']:.0f}"
-    print(f"| {source} | {name.removeprefix(source).lstrip(', ')} | {quantity} | {expected}{unit} | {shown(row, 'seed')} "
+    print(f"| {source} | {name.removeprefix(source).lstrip(', ')} | {quantity} | {expected_text(row)} | {shown(row, 'seed')} "
           f"| {shown(row, 'default')} |")
 if given.picture:
     draw(table, given.picture)

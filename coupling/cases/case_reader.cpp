@@ -34,6 +34,10 @@ bool CaseReader::wanted(const CaseSetup& setup, const std::string& variant) cons
          (setup.quick != "only" || choice_.quick);
 }
 
+bool CaseReader::skipped(const CaseSetup& setup, int row) const {
+  return choice_.quick && (setup.quick == "skip" || (setup.quick == "rows" && std::ranges::count(setup.quick_rows, row) == 0));
+}
+
 Overrides CaseReader::overrides(const Node& node, const std::string& name) const {
   Overrides out;
   if (node.kind == Node::Kind::nothing) return out;
@@ -63,25 +67,40 @@ void CaseReader::refuse_unknown_variant(const Node& at, const std::string& name)
   throw SceneError(fmt::format("{}: '{}' is no variant of this file{}", at.place, name, known));
 }
 
-CaseSetup CaseReader::setup(const CaseFields& f) const {
+CaseSetup CaseReader::setup(const CaseFields& f, std::size_t rows) const {
   CaseSetup out;
   out.name = f.text("name");
   if (out.name.empty()) f.fail(f.need("name"), "name", "is empty");
   out.scene = (fs::path(folder_) / f.text("scene", scene_)).string();
   out.variants = variant_list(f, "variants");
   if (const Node* set = f.find("set")) out.set = overrides(*set, "set");
-  if (const Node* quick = f.find("quick")) {
-    if (quick->kind == Node::Kind::mapping) {
-      out.quick = "set";
-      out.quick_set = overrides(*quick, "quick");
-    } else if (quick->kind == Node::Kind::text && (quick->text == "skip" || quick->text == "only")) {
-      out.quick = quick->text;
-    } else {
-      f.fail(*quick, "quick", fmt::format("is {}, but must be skip, only, or a mapping of overrides", describe(*quick)));
-    }
-  }
+  read_quick(f, rows, out);
   if (const Node* search = f.find("search")) out.search = read_search(*search);
   return out;
+}
+
+void CaseReader::read_quick(const CaseFields& f, std::size_t rows, CaseSetup& out) const {
+  const Node* quick = f.find("quick");
+  if (!quick) return;
+  if (quick->kind == Node::Kind::mapping) {
+    out.quick = "set";
+    out.quick_set = overrides(*quick, "quick");
+  } else if (quick->kind == Node::Kind::text && (quick->text == "skip" || quick->text == "only")) {
+    out.quick = quick->text;
+  } else if (quick->kind == Node::Kind::list && !quick->items.empty() && rows > 0) {
+    out.quick = "rows";
+    for (const Node& item : quick->items) {
+      int row = 1;
+      while (row <= static_cast<int>(rows) && item.text != std::to_string(row)) ++row;
+      if (row > static_cast<int>(rows))
+        f.fail(item, "quick", fmt::format("names row {}, but there are {}", describe(item), rows));
+      out.quick_rows.push_back(row);
+    }
+  } else {
+    f.fail(*quick, "quick",
+           fmt::format("is {}, but must be skip, only, {}a mapping of overrides", describe(*quick),
+                       rows > 0 ? "a list of row numbers, or " : "or "));
+  }
 }
 
 Overrides CaseReader::last_overrides(const CaseSetup& setup) const {

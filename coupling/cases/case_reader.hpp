@@ -23,8 +23,9 @@ struct CaseChoice {
 
 // What cases and tables have in common.
 struct CaseSetup {
-  std::string name, scene;  // scene: path of its file
-  std::string quick;        // "", "skip", "only", "set"
+  std::string name, scene;      // scene: path of its file
+  std::string quick;            // "", "skip", "only", "set", "rows"
+  std::vector<int> quick_rows;  // of a table, from 1
   Overrides set, quick_set;
   std::optional<Search> search;
   std::vector<std::string> variants;  // in which it runs
@@ -44,8 +45,11 @@ class CaseReader {
   const std::vector<std::pair<std::string, Overrides>>& variants() const { return variants_; }
   // Whether a setup is asked for: in this variant, and with or without --quick.
   bool wanted(const CaseSetup&, const std::string& variant) const;
+  // Whether --quick leaves it out; `row` of a table, from 1.
+  bool skipped(const CaseSetup&, int row) const;
 
-  CaseSetup setup(const CaseFields&) const;
+  // `rows`: how many a table has, 0 of a case.
+  CaseSetup setup(const CaseFields&, std::size_t rows = 0) const;
   // What is set last: with --quick the setup's own for it, then the command line's.
   Overrides last_overrides(const CaseSetup&) const;
   Overrides overrides(const Node&, const std::string& name) const;
@@ -67,6 +71,7 @@ class CaseReader {
   }
 
  private:
+  void read_quick(const CaseFields&, std::size_t rows, CaseSetup&) const;
   Search read_search(const Node&) const;
   void require_text(const Node&, const std::string& name) const;
   [[noreturn]] void throw_wrong(const Node&, const std::string& name, const std::string& what) const;

@@ -30,6 +30,44 @@ std::string title(const Finding& f) {
   return f.variant.empty() ? f.name : fmt::format("{} [{}]", f.name, f.variant);
 }
 
+using Row = std::array<std::string, 7>;
+
+// A ratio of two long names goes over two rows: the second holds the divisor alone.
+std::vector<Row> rows_of(const Finding& f) {
+  constexpr std::size_t longest = 44;
+  const Expectation& e = f.expectation;
+  const std::size_t slash = e.quantity.size() > longest ? e.quantity.find(" / ") : std::string::npos;
+  std::vector<Row> rows{{to_string(f.verdict), "  " + e.quantity.substr(0, slash), with_unit(f.value, e.unit),
+                         with_unit(e.value, e.unit), percent(f.deviation), allowed(e), e.evidence}};
+  if (slash != std::string::npos) rows.push_back({"", "  " + e.quantity.substr(slash)});
+  return rows;
+}
+
+std::string aligned(const Row& row, const std::array<std::size_t, 7>& width) {
+  std::string line;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const bool number = k >= 2 && k <= 5;
+    line += fmt::format(fmt::runtime(number ? "{:>{}}  " : "{:<{}}  "), row[k], width[k]);
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+// What --quick left out: "skipped by --quick: cuboid_force 48, eta_study 33".
+std::string skipped_lines(const std::vector<Finding>& findings) {
+  std::vector<std::pair<std::string, long>> count;
+  for (const Finding& f : findings) {
+    if (f.verdict != Verdict::skipped) continue;
+    if (count.empty() || count.back().first != f.experiment) count.emplace_back(f.experiment, 0);
+    ++count.back().second;
+  }
+  if (count.empty()) return "";
+  std::string out = "skipped by --quick:";
+  for (std::size_t k = 0; k < count.size(); ++k)
+    out += fmt::format("{} {} {}", k == 0 ? "" : ",", count[k].first, count[k].second);
+  return out + "\n";
+}
+
 }  // namespace
 
 std::string finding_line(const Finding& f) {
@@ -42,29 +80,27 @@ std::string finding_line(const Finding& f) {
 }
 
 std::string findings_table(const std::vector<Finding>& findings) {
-  using Row = std::array<std::string, 9>;
-  std::vector<Row> rows{{"verdict", "experiment", "case", "quantity", "value", "expected", "deviation", "allowed", "evidence"}};
-  std::array<long, 4> count{};
-  for (const Finding& f : findings) {
-    const Expectation& e = f.expectation;
-    ++count[static_cast<std::size_t>(f.verdict)];
-    rows.push_back({to_string(f.verdict), f.experiment, title(f), e.quantity, with_unit(f.value, e.unit),
-                    with_unit(e.value, e.unit), percent(f.deviation), allowed(e), fmt::format("{}: {}", e.evidence, e.source)});
-  }
-  std::array<std::size_t, 9> width{};
-  for (const Row& row : rows)
+  const Row head{"verdict", "quantity", "value", "expected", "deviation", "allowed", "evidence"};
+  std::array<std::size_t, 7> width{};
+  const auto widen = [&](const Row& row) {
     for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
-  std::string out;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const bool number = k >= 4 && k <= 7;
-      line += fmt::format(fmt::runtime(number ? "{:>{}}  " : "{:<{}}  "), row[k], width[k]);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    out += line + "\n";
+  };
+  std::array<long, 4> count{};
+  widen(head);
+  for (const Finding& f : findings) {
+    ++count[static_cast<std::size_t>(f.verdict)];
+    if (f.verdict != Verdict::skipped) std::ranges::for_each(rows_of(f), widen);
   }
-  return out + fmt::format("{} passed, {} failed, {} shown only, {} skipped\n", count[0], count[1], count[2], count[3]);
+  std::string out = aligned(head, width), last;
+  for (const Finding& f : findings) {
+    if (f.verdict == Verdict::skipped) continue;
+    const std::string group = fmt::format("{}: {}", f.experiment, title(f));
+    if (group != last) out += group + "\n";
+    last = group;
+    for (const Row& row : rows_of(f)) out += aligned(row, width);
+  }
+  return out + skipped_lines(findings) +
+         fmt::format("{} passed, {} failed, {} shown only, {} skipped\n", count[0], count[1], count[2], count[3]);
 }
 
 nlohmann::ordered_json findings_json(const std::vector<Finding>& findings) {

@@ -91,9 +91,10 @@ class Reader : CaseReader {
     return out;
   }
 
-  // One case for each variant that is wanted.
+  // One case for each variant that is wanted; `number`: of a table's row, from 1.
   template <class Expect>
-  void spread(const CaseSetup& s, const Overrides& row, const std::string& row_name, const std::string& place, Expect&& expect) {
+  void spread(const CaseSetup& s, int number, const Overrides& row, const std::string& row_name, const std::string& place,
+              Expect&& expect) {
     for (const auto& [variant, set] : variants()) {
       if (!wanted(s, variant)) continue;
       CheckCase c;
@@ -102,7 +103,7 @@ class Reader : CaseReader {
       c.scene = s.scene;
       c.place = place;
       c.search = s.search;
-      c.skipped = quick() && s.quick == "skip";
+      c.skipped = skipped(s, number);
       for (const Overrides& part : {set, s.set, row, last_overrides(s)}) c.set.insert(c.set.end(), part.begin(), part.end());
       expect(c);
       for (const Expectation& e : c.expect) {
@@ -117,7 +118,7 @@ class Reader : CaseReader {
     const CaseFields f(node, "a case", {"name", "scene", "set", "quick", "search", "variants", "evidence", "source", "expect"});
     f.need("name"), f.need("expect");
     const std::string evidence = f.text("evidence"), source = f.text("source");
-    spread(setup(f), {}, "", node.place, [&](CheckCase& c) {
+    spread(setup(f), 0, {}, "", node.place, [&](CheckCase& c) {
       for (const Node& item : f.list("expect")) {
         const Node* own = item.find("variants");
         const CaseFields only(item, "an expectation",
@@ -163,7 +164,7 @@ class Reader : CaseReader {
                        {"name", "scene", "set", "quick", "search", "variants", "evidence", "source", "columns", "rows"});
     f.need("name"), f.need("columns"), f.need("rows");
     const std::vector<Column> heads = columns(f);
-    const CaseSetup shared = setup(f);
+    const CaseSetup shared = setup(f, f.list("rows").size());
     int number = 0;
     for (const Node& row : f.list("rows")) {
       ++number;
@@ -178,7 +179,7 @@ class Reader : CaseReader {
         words.push_back(text);
       }
       const std::string source = f.text("source").empty() ? "" : fmt::format("{} row {}", f.text("source"), number);
-      spread(shared, set, fmt::format("{}", fmt::join(words, " / ")), row.place, [&](CheckCase& c) {
+      spread(shared, number, set, fmt::format("{}", fmt::join(words, " / ")), row.place, [&](CheckCase& c) {
         for (std::size_t k = 0; k < heads.size(); ++k) {
           const Node& cell = row.items[k];
           if (!heads[k].quantity || !holds(heads[k].variants, c.variant) || cell.kind == Node::Kind::nothing) continue;

@@ -162,7 +162,7 @@ class Reader : CaseReader {
         node, "a table",
         {"name", "scene", "set", "quick", "search", "variants", "modes", "replicates", "quantities", "columns", "rows"});
     f.need("name");
-    const CaseSetup s = setup(f);
+    const CaseSetup s = setup(f, f.list("rows").size());
     const Shared shared = read_shared(f, of_file);
     const std::vector<StudyColumn> columns = study_columns(f);
     refuse_clashes(s, columns, shared);
@@ -177,7 +177,9 @@ class Reader : CaseReader {
     for (const auto& [variant, set] : variants()) {
       if (!wanted(s, variant)) continue;
       for (const std::string& mode : modes) {
-        for (const StudyCells& c : cells) {
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+          if (skipped(s, static_cast<int>(k) + 1)) continue;
+          const StudyCells& c = cells[k];
           StudyRow row;
           row.table = s.name, row.variant = variant, row.mode = mode;
           row.name = c.name.empty() ? s.name : s.name + ", " + c.name;

@@ -69,6 +69,10 @@ TEST(Check, PassesFailsAndUsesRunsAgain) {
   EXPECT_THAT(wrong.text, HasSubstr("1 passed, 1 failed"));
   EXPECT_EQ(runs(), before) << "the run is used again";
 
+  const Output none = check(folder, "slab --case slap");
+  EXPECT_EQ(none.code, 2) << none.text;
+  EXPECT_THAT(none.text, HasSubstr("--case 'slap' is none of what is checked; did you mean 'slab'?"));
+
   const auto json = nlohmann::json::parse(check(folder, "slab --json 2>/dev/null").text);
   ASSERT_EQ(json.size(), 2u);
   EXPECT_EQ(json[1]["verdict"], "fail");

@@ -104,6 +104,22 @@ cases:
   EXPECT_THAT(quick.cases[1].set, ElementsAre(Pair("duration", "1 s")));
 }
 
+TEST(Expected, QuickKeepsTheRowsThatItNames) {
+  std::string rows = table;
+  const auto quick = [&](const std::string& words) {
+    rows = table;
+    return rows.replace(rows.find("evidence: seed table"), 20, "evidence: seed table\n    quick: " + words);
+  };
+  const Expected short_one = read(quick("[2]"), {true, {"seed"}});
+  ASSERT_EQ(short_one.cases.size(), 2u);
+  EXPECT_TRUE(short_one.cases[0].skipped);
+  EXPECT_FALSE(short_one.cases[1].skipped);
+  EXPECT_FALSE(read(quick("[2]"), {false, {"seed"}}).cases[0].skipped);
+  EXPECT_THAT(error_of(quick("[3]")), HasSubstr("quick names row '3', but there are 2"));
+  EXPECT_THAT(error_of(quick("[two]")), HasSubstr("quick names row 'two', but there are 2"));
+  EXPECT_THAT(error_of("cases: [{name: a, quick: [1], expect: []}]"), HasSubstr("must be skip, only, or a mapping of overrides"));
+}
+
 TEST(Expected, TheCommandLineHasTheLastWord) {
   const std::string text = R"(
 cases:

@@ -8,6 +8,7 @@
 
 #include "coupling/cases/search.hpp"
 #include "coupling/cases/summary_value.hpp"
+#include "coupling/check/check_text.hpp"
 #include "coupling/scene/scene_error.hpp"
 
 namespace couloir {
@@ -67,6 +68,24 @@ TEST(Verdict, FindsNumbersAndRatios) {
   EXPECT_THAT(error("obstacles.wal.impulse"), HasSubstr("expected.yaml:7: the quantity obstacles.wal.impulse"));
   EXPECT_THAT(error("obstacles.wal.impulse"), HasSubstr("did you mean 'wall'?"));
   EXPECT_THAT(error("status"), HasSubstr("is no number"));
+}
+
+// A line for each case, a ratio of long names over two rows, what was skipped as a number.
+TEST(FindingsTable, IsLegible) {
+  std::vector<Finding> all(4, finding(2, {Tolerance::Kind::relative, 0.1}));
+  for (Finding& f : all) f.experiment = "slab", f.name = "long", f.expectation.evidence = "exact";
+  all[0].expectation.quantity = "mass.final";
+  all[1].expectation.quantity = "obstacles.wall.control_volume.impulse / obstacles.wall.impulse";
+  judge(all[0], 2.1), judge(all[1], 3);
+  all[2].name = all[3].name = "skipped one";
+  EXPECT_EQ(findings_table(all),
+            "verdict  quantity                                 value  expected  deviation  allowed  evidence\n"
+            "slab: long\n"
+            "pass       mass.final                               2.1         2    +5.00 %     10 %  exact\n"
+            "FAIL       obstacles.wall.control_volume.impulse      3         2   +50.00 %     10 %  exact\n"
+            "            / obstacles.wall.impulse\n"
+            "skipped by --quick: slab 2\n"
+            "1 passed, 1 failed, 0 shown only, 2 skipped\n");
 }
 
 TEST(Search, FindsTheSmallestGoodValueWithFewTrials) {
