@@ -11,12 +11,14 @@ WEIGHT = ["seed table", "measured", "exact", "regression"]  # which expectation 
 
 def rows(findings):
     """A row for each figure; what was not run keeps the value that expected.yaml holds of an earlier revision."""
-    out = {}
+    out, tables = {}, {}
     for f in findings:
-        name = f["case"]
+        name = f["case"].replace("what the text says, ", "").replace("our heights, ", "")  # of Figure 6.3: one row
         shown_in = name if name.startswith(("Table", "Figure")) else f["source"]
         source = shown_in.split(",")[0].split(" row ")[0]
-        key = (f["experiment"], name, source if source.startswith(("Table", "Figure")) else name, column(f["quantity"]))
+        if source.startswith(("Table", "Figure")):
+            tables.setdefault((f["experiment"], name), source)
+        key = (f["experiment"], name, tables.get((f["experiment"], name), name), column(f["quantity"]))
         row = out.setdefault(key, {"quantity": key[3], "evidence": "", "kept": {}})
         if not row["evidence"] or WEIGHT.index(f["evidence"]) < WEIGHT.index(row["evidence"]):
             row.update(expected=f["expected"], unit=f["unit"], span=f["tolerance"], evidence=f["evidence"], source=f["source"])
@@ -25,7 +27,8 @@ def rows(findings):
             row[variant] = f["value"]
         elif f["evidence"] == "regression":
             row["kept"][variant] = f["expected"]
-    return {key: row for key, row in out.items() if row["kept"] or "default" in row or "seed" in row}
+    found = [(key, row) for key, row in out.items() if row["kept"] or "default" in row or "seed" in row]
+    return dict(sorted(found, key=lambda item: (not item[0][2].startswith("Table"), item[0][2], item[0][1])))
 
 
 def column(quantity):
@@ -36,13 +39,13 @@ def column(quantity):
         return "mean force"
     return {"critical": "critical height", "gauges.base.depth_final": "depth on the cuboid", "walls.downstream.peak": "peak on the wall",
             "walls.downstream.final": "final on the wall", "walls.downstream.peak / walls.downstream.final": "peak over end",
-            "obstacles.wall.max_climbed": "climb", "obstacles.wall.overflow / mass.initial": "share over the wall"}.get(quantity, quantity)
+            "obstacles.wall.max_climbed": "climb", "obstacles.wall.overflow / mass.initial": "share over the wall", "obstacles.wall.force_peak": "peak of the force"}.get(quantity, quantity)
 
 
 def shown(row, variant):
     value, mark = row.get(variant), ""
     if value is None:
-        value, mark = row["kept"].get(variant), "\u00b0"
+        value, mark = row["kept"].get(variant), "\u2020"
     if value is None:
         return "-"
     expected = 0 if row["quantity"] in INTERVALS or expected_text(row) == "-" else row["expected"]
@@ -54,8 +57,8 @@ def expected_text(row):
     unit = f" x {row['unit']}" if row["unit"][:1].isdigit() else f" {row['unit']}" if row["unit"] else ""
     if row["evidence"] == "regression" and not row["source"].startswith("literal solver"):
         return "-"
-    if row["quantity"] in INTERVALS and row["span"]:
-        return f"{row['expected'] - row['span']:.3g} to {row['expected'] + row['span']:.3g}{unit}"
+    if row["quantity"] in INTERVALS and (row["span"] or 0) > 1e-3:
+        return f"{max(0, row['expected'] - row['span']):.3g} to {row['expected'] + row['span']:.3g}{unit}"
     return f"{row['expected']:.4g}{unit}"
 
 
@@ -107,7 +110,7 @@ def draw(table, out):
 
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 arguments.add_argument("findings", nargs="+", help="what `couloir check EXPERIMENT --json` printed, with the variants seed and default; "
-                       "a later file's figures stand for those of an earlier one")
+                       "a later file's figures stand for an earlier one's")
 arguments.add_argument("--picture", help="draw the tables into this file")
 given = arguments.parse_args()
 table = rows([f for name in given.findings for f in json.load(open(name))])
