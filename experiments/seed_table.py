@@ -11,14 +11,15 @@ WEIGHT = ["seed table", "measured", "exact", "regression"]  # which expectation 
 
 def rows(findings):
     """A row for each figure; what was not run keeps the value that expected.yaml holds of an earlier revision."""
-    out, tables = {}, {}
+    shown_in = {}  # of the table or figure that a case stands for
+    for f in findings:
+        for words in (f["case"], f["source"]):
+            if words.startswith(("Table", "Figure")):
+                shown_in.setdefault((f["experiment"], f["case"]), words.split(",")[0].split(" row ")[0])
+    out = {}
     for f in findings:
         name = f["case"].replace("what the text says, ", "").replace("our heights, ", "")  # of Figure 6.3: one row
-        shown_in = name if name.startswith(("Table", "Figure")) else f["source"]
-        source = shown_in.split(",")[0].split(" row ")[0]
-        if source.startswith(("Table", "Figure")):
-            tables.setdefault((f["experiment"], name), source)
-        key = (f["experiment"], name, tables.get((f["experiment"], name), name), column(f["quantity"]))
+        key = (f["experiment"], name, shown_in.get((f["experiment"], f["case"]), name), column(f["quantity"]))
         row = out.setdefault(key, {"quantity": key[3], "evidence": "", "kept": {}})
         if not row["evidence"] or WEIGHT.index(f["evidence"]) < WEIGHT.index(row["evidence"]):
             row.update(expected=f["expected"], unit=f["unit"], span=f["tolerance"], evidence=f["evidence"], source=f["source"])
@@ -39,7 +40,8 @@ def column(quantity):
         return "mean force"
     return {"critical": "critical height", "gauges.base.depth_final": "depth on the cuboid", "walls.downstream.peak": "peak on the wall",
             "walls.downstream.final": "final on the wall", "walls.downstream.peak / walls.downstream.final": "peak over end",
-            "obstacles.wall.max_climbed": "climb", "obstacles.wall.overflow / mass.initial": "share over the wall", "obstacles.wall.force_peak": "peak of the force"}.get(quantity, quantity)
+            "obstacles.wall.max_climbed": "climb", "obstacles.wall.overflow / mass.initial": "share over the wall",
+            "obstacles.wall.force_peak": "peak of the force"}.get(quantity, quantity)
 
 
 def shown(row, variant):
