@@ -62,9 +62,13 @@ std::string skipped_lines(const std::vector<Finding>& findings) {
     ++count.back().second;
   }
   if (count.empty()) return "";
-  std::string out = "skipped by --quick:";
-  for (std::size_t k = 0; k < count.size(); ++k)
-    out += fmt::format("{} {} {}", k == 0 ? "" : ",", count[k].first, count[k].second);
+  std::string out, line = "skipped by --quick:";
+  for (std::size_t k = 0; k < count.size(); ++k) {
+    const std::string part = fmt::format("{} {}{}", count[k].first, count[k].second, k + 1 < count.size() ? "," : "");
+    if (line.size() + part.size() > 110) out += line + "\n", line = " ";
+    line += " " + part;
+  }
+  out += line;
   return out + "\n";
 }
 
