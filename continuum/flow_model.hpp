@@ -17,6 +17,7 @@
 #include "continuum/mesh/ranks.hpp"
 #include "continuum/mesh/refinement.hpp"
 #include "continuum/scheme/budget.hpp"
+#include "continuum/scheme/step_parts.hpp"
 #include "continuum/scheme/limiter.hpp"
 
 namespace couloir {
@@ -49,6 +50,7 @@ class FlowModel {
   virtual double time() const = 0;  // [s]
   virtual std::int64_t steps() const = 0;
   virtual std::int64_t cell_updates() const = 0;  // active cells times stages
+  virtual PartTimes part_times() const = 0;       // [s] of the clock, of all steps of this object
 
   virtual void set(const std::function<FlowState(double x, double y)>&) = 0;  // at cell centres
   virtual void set(int i, int j, const FlowState&) = 0;

@@ -38,6 +38,11 @@ std::int64_t Solver::cell_updates() const {
   return impl_->cell_updates;
 }
 
+PartTimes Solver::part_times() const {
+  const auto laps = impl_->laps();
+  return impl_->timer.times({laps.begin(), laps.end()});
+}
+
 void Solver::set(const std::function<FlowState(double x, double y)>& state) {
   Impl& m = *impl_;
   const auto set_all = [&] {

@@ -31,6 +31,7 @@ class Solver final : public FlowModel {
   double time() const override;
   std::int64_t steps() const override;
   std::int64_t cell_updates() const override;
+  PartTimes part_times() const override;
 
   // Material that is set is active (mobilisation.hpp).
   void set(const std::function<FlowState(double x, double y)>&) override;

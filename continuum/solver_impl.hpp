@@ -19,6 +19,7 @@
 #include "continuum/mesh/wishes.hpp"
 #include "continuum/scheme/counted.hpp"
 #include "continuum/scheme/kernels.hpp"
+#include "continuum/scheme/laps.hpp"
 #include "continuum/scheme/parameters.hpp"
 #include "continuum/scheme/stage.hpp"
 #include "continuum/solver.hpp"
@@ -66,6 +67,7 @@ struct Solver::Impl {
   bool run(int level, StageName, double dt);  // false: some depth fell below zero
   void go_back();                             // to the start of the step
   void collect_tallies();
+  std::vector<Laps*> laps();        // of all threads
   void count_zones(double dt);
   // These throw NumericsError, naming place and time.
   void check_finite() const;
@@ -148,6 +150,7 @@ struct Solver::Impl {
   std::int64_t steps = 0, cell_updates = 0;
   double min_depth = 0;
   bool min_depth_met = false;
+  StepTimer timer;
   std::optional<double> rate;  // of the present state; empty: the state has changed
 };
 

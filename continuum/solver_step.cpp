@@ -23,8 +23,10 @@ constexpr int steps_between_deals = 64;
 
 void Solver::Impl::step(double dt) {
   if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
-  if (settings.refinement.adaptive.levels > 0 && steps % settings.refinement.adaptive.interval == 0) adapt();
-  if (!settings.ranks.alone() && steps % steps_between_deals == 0) deal();
+  const StepTimer::Span span(timer, steps, laps());
+  if (settings.refinement.adaptive.levels > 0 && steps % settings.refinement.adaptive.interval == 0)
+    timer.apart(StepPart::mesh, [&] { adapt(); });
+  if (!settings.ranks.alone() && steps % steps_between_deals == 0) timer.apart(StepPart::mesh, [&] { deal(); });
   dt = std::min(dt, stable_dt());
   const double row = next_row(settings.sides, time);
   double end = row - time <= dt ? row : time + dt;
@@ -57,6 +59,7 @@ double Solver::Impl::stable_dt() {
 
 void Solver::Impl::refresh() {
   if (rate) return;
+  const StepTimer::Span span(timer, steps, laps());
   const std::vector<double> rates = begin(0, time, 0);
   double most = 0;
   for (std::size_t level = 0; level < rates.size(); ++level)
@@ -74,12 +77,14 @@ std::vector<double> Solver::Impl::begin(int level, double at, double share) {
     const int n = static_cast<int>(own.size());
     for (int b : levels[l].blocks) states[b].looked = states[b].looked && l == level;
     fill_ghosts(l, l > level ? 0 : share, true);
+    timer.lap(StepPart::order);
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
     for (int k = 0; k < n; ++k) {
       const int b = own[k];
       rates[b] = kernels.begin_step(parameters, mesh.blocks()[b], faces[b], states[b], scratch[omp_get_thread_num()],
                                     levels[l].strained);
     }
+    timer.lap_kernels();
     levels[l].strained = 0;
     if (with_earth_pressure(parameters)) halo.tell_passive(l, states);
     most.push_back(0);
@@ -93,6 +98,7 @@ std::vector<double> Solver::Impl::begin(int level, double at, double share) {
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
     for (int k = 0; k < n; ++k) ghosts->fill_passive(states, own[k]);
   }
+  timer.lap(StepPart::earth_pressure);
   settings.ranks.greatest(most);
   if (std::ranges::any_of(most, [](double r) { return std::isinf(r); })) sync(), check_finite();
   return most;
@@ -105,11 +111,14 @@ bool Solver::Impl::advance(int level, double from, double to, double dt, double 
     if (fastest * dt > 0.5) return false;
   }
   if (level + 1 < static_cast<int>(levels.size())) {
+    timer.lap(StepPart::order);
     look_ahead(level, from, to, dt);
+    timer.lap(StepPart::levels);
     const double middle = from + 0.5 * dt;
     if (!advance(level + 1, from, middle, 0.5 * dt, 0)) return false;
     if (!advance(level + 1, middle, to, 0.5 * dt, 0.5)) return false;
     halo.tell_fluxes(level, across);
+    timer.lap(StepPart::levels);
   }
   choose(level, false);
   look(level, levels[level].chosen);
@@ -186,11 +195,14 @@ void Solver::Impl::set_inflow(double from, double to) {
 }
 
 void Solver::Impl::fill_ghosts(int level, double share, bool shares) {
+  timer.lap(StepPart::order);
   look(level, levels[level].chosen);
+  timer.lap(StepPart::levels);
   const std::vector<int>& own = levels[level].own;
   const int n = static_cast<int>(own.size());
 #pragma omp parallel for num_threads(settings.threads) schedule(static)
   for (int k = 0; k < n; ++k) fill_block(own[k], share, shares || !states[own[k]].stepped);
+  timer.lap(StepPart::ghosts);
 }
 
 void Solver::Impl::fill_block(int k, double share, bool shares) {
@@ -225,12 +237,14 @@ bool Solver::Impl::run(int level, StageName stage, double dt) {
     touched[b] = changed[b] = 1;
   }
   const int n = static_cast<int>(l.own.size());
+  timer.lap(StepPart::order);
 #pragma omp parallel for num_threads(settings.threads) schedule(dynamic)
   for (int k = 0; k < n; ++k) {
     const int b = l.own[k];
     kernels.run_stage(parameters, mesh.blocks()[b], faces[b], zones, {&across[b], &across}, states[b],
                       scratch[omp_get_thread_num()], stage, dt, tallies[b]);
   }
+  timer.lap_kernels();
   std::vector<char> flags;
   for (int b : l.chosen) flags.push_back(mine(b) ? states[b].wet | (tallies[b].min_depth < 0 ? negative : 0) : 0);
   settings.ranks.any(flags);
@@ -262,6 +276,12 @@ void Solver::Impl::go_back() {
     if (with_earth_pressure(parameters)) halo.tell_passive(static_cast<int>(l), states);
   }
   begin(0, time, 0);
+}
+
+std::vector<Laps*> Solver::Impl::laps() {
+  std::vector<Laps*> all;
+  for (Scratch& s : scratch) all.push_back(&s.laps);
+  return all;
 }
 
 void Solver::Impl::collect_tallies() {

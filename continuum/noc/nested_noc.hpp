@@ -34,6 +34,7 @@ class NestedNoc final : public FlowModel {
   const Grid& grid() const override;  // of the base
   double time() const override;
   std::int64_t steps() const override;         // of the base
+  PartTimes part_times() const override;
   std::int64_t cell_updates() const override;  // on all grids, rims included
 
   void set(const std::function<FlowState(double x, double y)>&) override;  // at the centres of each grid

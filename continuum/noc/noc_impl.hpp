@@ -16,6 +16,7 @@
 #include "continuum/noc/region.hpp"
 #include "continuum/noc/share.hpp"
 #include "continuum/scheme/counted.hpp"
+#include "continuum/scheme/laps.hpp"
 
 namespace couloir {
 
@@ -150,6 +151,7 @@ struct NocSolver::Impl {
   std::vector<noc::ControlBox> boxes;
   Budget budget;
   double time = 0;
+  StepTimer timer;
   std::int64_t steps = 0, cell_updates = 0, limited_count = 0;
   double min_depth = 0;
   bool min_depth_met = false;

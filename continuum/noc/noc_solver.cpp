@@ -113,6 +113,9 @@ double NocSolver::time() const {
 void NocSolver::set_time(double t) {
   impl_->time = t;
 }
+PartTimes NocSolver::part_times() const {
+  return impl_->timer.times();
+}
 std::int64_t NocSolver::steps() const {
   return impl_->steps;
 }

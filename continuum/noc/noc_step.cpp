@@ -36,6 +36,7 @@ std::vector<noc::RowSums> by_strips(const noc::Region& region, int columns, int 
 
 void NocSolver::Impl::step(double dt) {
   if (!(dt > 0)) throw std::invalid_argument("A step of the continuum needs a positive length in time.");
+  const StepTimer::Span span(timer, steps);
   dt = std::min(dt, stable_dt());
   const double row = next_row(sides, time);
   double end = row - time <= dt ? row : time + dt;
@@ -67,19 +68,23 @@ double NocSolver::Impl::stable_dt() {
 
 void NocSolver::Impl::refresh() {
   if (rate) return;
+  const StepTimer::Span span(timer, steps);
   if (scan) find_wet();
   set_inflow(time);
   refresh_state();
 }
 
 void NocSolver::Impl::refresh_state() {
+  timer.lap(StepPart::order);
   centres.fill_ghosts();
+  timer.lap(StepPart::ghosts);
   double fastest = centres.find_state(around);
   for (int side = 0; side < 4; ++side) {
     const double spacing = side < 2 ? settings.grid.dx : settings.grid.dy;
     fastest = std::max(fastest, fastest_inflow(sides[side], settings.gravity, time) / spacing);
   }
   rate = fastest;
+  timer.lap(StepPart::rates);
 }
 
 void NocSolver::Impl::lay_regions() {
@@ -106,10 +111,14 @@ void NocSolver::Impl::copy_twins(int j) {
 }
 
 bool NocSolver::Impl::half_step_to_corners(double tau) {
+  timer.lap(StepPart::order);
   make_inflow(tau);
+  timer.lap(StepPart::sides);
   find_locked();
+  timer.lap(StepPart::rest);
   centres.prepare(around, tau);
   centres.wrap_points();
+  timer.lap(StepPart::reconstruction);
   limit_corners();
   const noc::Drag met = drag();
   first = by_strips(corner_region, settings.grid.nx + 1, settings.threads, [&](int j, noc::ColumnSums& columns, RowSums& sums) {
@@ -118,20 +127,29 @@ bool NocSolver::Impl::half_step_to_corners(double tau) {
     for_outer(corner_region, j, [&](int i) { update_corner(i, j, tau, sums); });
     copy_twins(j);
   });
+  timer.lap(StepPart::update);
   corners.fill_ghosts();
-  if (corners.find_state(near_corners) * tau > 0.5 * (1 + 1e-12)) return false;
+  timer.lap(StepPart::ghosts);
+  const double fastest = corners.find_state(near_corners);
+  timer.lap(StepPart::rates);
+  if (fastest * tau > 0.5 * (1 + 1e-12)) return false;
   corners.prepare(near_corners, tau);
+  timer.lap(StepPart::reconstruction);
   return true;
 }
 
 void NocSolver::Impl::half_step_to_centres(double tau) {
   const Grid& g = settings.grid;
   limit_centres();
+  timer.lap(StepPart::update);
   count_obstacles(centres, corner_region, tau);
   count_obstacles(corners, near, tau);
+  timer.lap(StepPart::bed);
   count_sides();
+  timer.lap(StepPart::sides);
   count_gauges();
   count_boxes(HalfStep::to_corners, tau);
+  timer.lap(StepPart::measures);
   const noc::Drag met = drag();
   const auto rows = by_strips(near, g.nx, settings.threads, [&](int j, noc::ColumnSums& columns, RowSums& sums) {
     const int begin = near.begin(j), end = near.end(j);
@@ -143,7 +161,9 @@ void NocSolver::Impl::half_step_to_centres(double tau) {
     }
     receive_at_centres(centres, corners, terrain, met, j, begin, end, tau, columns);
   });
+  timer.lap(StepPart::update);
   count_boxes(HalfStep::to_centres, tau);
+  timer.lap(StepPart::measures);
   collect(first);
   collect(rows);
   put_inflow_right(2 * tau);

@@ -68,7 +68,9 @@ void PlanesModel::Impl::impose(const PlaneSide& s, int k, double mass_out, doubl
 
 void PlanesModel::Impl::refresh() {
   if (fresh) return;
-  for (PlaneFlow& p : planes) p.refresh();
+  timer.apart(StepPart::planes, [&] {
+    for (PlaneFlow& p : planes) p.refresh();
+  });
   fresh = true;
 }
 
@@ -81,15 +83,17 @@ double PlanesModel::Impl::stable_dt() {
 
 void PlanesModel::Impl::step(double dt) {
   dt = std::min(dt, stable_dt());
-  find_fluxes(dt);
+  timer.apart(StepPart::planes, [&] { find_fluxes(dt); });
   slope.reset_rim(hole);
   const double start = slope.time(), front_before = plane(PlaneName::front).volume();
   slope.step(dt);
   dt = slope.time() - start;  // a step that would overdraw a cell of the slope was shorter
-  take_passed(dt);
-  book_edges(dt);
-  for (PlaneFlow& p : planes) p.step(dt);
-  book_planes(dt, 0.5 * (front_before + plane(PlaneName::front).volume()));
+  timer.apart(StepPart::planes, [&] {
+    take_passed(dt);
+    book_edges(dt);
+    for (PlaneFlow& p : planes) p.step(dt);
+    book_planes(dt, 0.5 * (front_before + plane(PlaneName::front).volume()));
+  });
   time += dt;
   fresh = false;
 }

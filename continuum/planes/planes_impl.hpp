@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "continuum/planes/planes_model.hpp"
+#include "continuum/scheme/laps.hpp"
 #include "continuum/solver.hpp"
 
 namespace couloir {
@@ -57,6 +58,7 @@ struct PlanesModel::Impl {
   };
   std::vector<Round> rounds;  // boxes that hold the cuboid
   double time = 0, overflow = 0;
+  StepTimer timer;  // of planes and edges alone
 };
 
 }  // namespace couloir

@@ -95,6 +95,11 @@ double PlanesModel::time() const {
 void PlanesModel::set_time(double t) {
   impl_->time = t;
 }
+PartTimes PlanesModel::part_times() const {
+  PartTimes all = impl_->timer.times();
+  add(all, impl_->slope.part_times());
+  return all;
+}
 std::int64_t PlanesModel::steps() const {
   return impl_->slope.steps();
 }

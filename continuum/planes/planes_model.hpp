@@ -29,6 +29,7 @@ class PlanesModel final : public FlowModel {
   const Grid& grid() const override;
   double time() const override;
   std::int64_t steps() const override;
+  PartTimes part_times() const override;
   std::int64_t cell_updates() const override;
 
   // Nothing is set on the footprint; by cell, the footprint is the top plane.

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "continuum/scheme/laps.hpp"
 #include "continuum/scheme/values.hpp"
 
 namespace couloir {
@@ -46,6 +47,7 @@ struct Scratch {
   Values source_x, source_y;    // momentum from the bed within the cell [m2/s2]; only on a bed with relief
   Values lost_x, lost_y;        // to friction and cut-off in this stage [m2/s]; only where a control box asks
   std::vector<Values> columns;  // sums by column of the block
+  Laps laps;                    // of the kernels on this thread
 
   void resize(int n) {
     for (auto* a : {&u, &v, &eta, &loose, &smooth, &source_x, &source_y, &lost_x, &lost_y}) a->resize(n);

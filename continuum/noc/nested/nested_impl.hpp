@@ -6,6 +6,7 @@
 
 #include "continuum/noc/nested/nest.hpp"
 #include "continuum/noc/nested_noc.hpp"
+#include "continuum/scheme/laps.hpp"
 
 namespace couloir {
 
@@ -44,6 +45,7 @@ struct NestedNoc::Impl {
   std::vector<Pieces> boxes, gauges;
   Budget budget;
   std::array<double, 2> pushed_before{};  // at the last reset of the budget
+  StepTimer timer;                        // of what goes between the grids
   double drift_before = 0;                // [m3] copied until then
 };
 

@@ -27,6 +27,11 @@ double NestedNoc::time() const {
 void NestedNoc::set_time(double t) {
   impl_->set_time(noc::Nest::base, t);
 }
+PartTimes NestedNoc::part_times() const {
+  PartTimes all = impl_->timer.times();
+  for (const noc::Nest& n : impl_->nests) add(all, n.solver.part_times());
+  return all;
+}
 std::int64_t NestedNoc::steps() const {
   return impl_->base().steps();
 }

@@ -42,10 +42,14 @@ void NestedNoc::Impl::advance(int nest, double dt) {
   Nest& n = nests[nest];
   const double start = n.solver.time();
   n.solver.step(dt);  // which may take it shorter
-  for (int child : n.children) nests[child].read_end(n);
+  timer.apart(StepPart::levels, [&] {
+    for (int child : n.children) nests[child].read_end(n);
+  });
   for (int child : n.children) follow(child, start, n.solver.time());
-  for (int child : n.children) copy_up(child);
-  fill_rims(nest);
+  timer.apart(StepPart::levels, [&] {
+    for (int child : n.children) copy_up(child);
+    fill_rims(nest);
+  });
 }
 
 // Two steps, or as many more as a flow that has become faster takes.
