@@ -10,7 +10,6 @@
 #include "coupling/loop/momentum_book.hpp"
 #include "coupling/loop/names.hpp"
 #include "coupling/plan/build.hpp"
-#include "coupling/plan/plan.hpp"
 #include "coupling/scene/depths.hpp"
 
 namespace couloir {
@@ -25,14 +24,12 @@ class ContinuumRun : public ModeRun {
     flow_ = std::make_unique<FlowSide>(scene_, surface_, options_.threads, options_.ranks);
     clock_ = std::make_unique<Clock>(Clock::of_intervals(scene_.record.forces, scene_.duration));
     RunStart begin;
-    begin.scene = &scene_;
     begin.surface = &surface_;
     begin.grid = flow_->model().grid();
     begin.bed = flow_->bed();
     begin.obstacles = obstacle_names(scene_);
     begin.planes_obstacle = flow_->planes_obstacle();
     begin.measures = flow_->measure(scene_, surface_, {});
-    begin.effects = make_plan(scene_).effects;
     begin.bulk_density = flow_->density();
     begin.window = clock_->length(1);
     return begin;
@@ -56,6 +53,7 @@ class ContinuumRun : public ModeRun {
   FrameView frame() override { return flow_->frame(); }
   void state(Archive& a) override { a(*flow_, book_, overflow_seen_, heap_seen_, last_time_); }
   void finish(RunEnd& end) override {
+    end.costs = flow_->costs();
     if (end.status == "done") cpu_continuum_ = options_.ranks.total(cpu_continuum_);
     if (overflow_seen_) tell(last_time_, "warning: in all, " + overflow_sentence());
   }

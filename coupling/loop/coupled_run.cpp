@@ -9,7 +9,6 @@
 #include "coupling/loop/names.hpp"
 #include "coupling/loop/stress_gauges.hpp"
 #include "coupling/loop/zone_side.hpp"
-#include "coupling/plan/plan.hpp"
 #include "coupling/scene/depths.hpp"
 #include "coupling/scene/inflow.hpp"
 
@@ -38,14 +37,12 @@ class CoupledRun : public ModeRun {
     clock_ = std::make_unique<Clock>(zones_.front()->timestep(), scene_.grains.window, scene_.duration);
 
     RunStart begin;
-    begin.scene = &scene_;
     begin.surface = &surface_;
     begin.grid = grid;
     begin.bed = flow_->bed();
     begin.obstacles = obstacle_names(scene_);
     begin.measures = measures_ = flow_->measure(scene_, surface_, covered);
     begin.stress_gauges = gauges_ = stress_gauges(scene_, planned);
-    begin.effects = make_plan(scene_).effects;
     begin.bulk_density = flow_->density();
     begin.window = clock_->length(1);
     begin.sample_interval = zones_.front()->grain_side().sample_interval();
@@ -154,6 +151,7 @@ class CoupledRun : public ModeRun {
   }
 
   void finish(RunEnd& end) override {
+    end.costs = flow_->costs();
     for (const auto& zone : zones_) {
       const GrainSide& grains = zone->grain_side();
       end.peak_grains += grains.peak();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "continuum/planes/planes_model.hpp"
+#include "coupling/loop/costs.hpp"
 #include "coupling/loop/flow_models.hpp"
 #include "coupling/loop/mode_run.hpp"
 #include "coupling/plan/build.hpp"
@@ -27,7 +28,7 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
     impulse_.push_back({0, 0});
   }
 
-  if (solver_ && scene.mode == Mode::coupled && !scene.obstacles.empty()) make_airborne(scene, surface);
+  if (solver_ && scene.mode == Mode::coupled && !scene.obstacles.empty() && !scene.leaves_out("airborne")) make_airborne(scene, surface);
   model_->set([&](double x, double y) { return release_at(scene, x, y); });
   // The cells' sampling of the release is off by its edge; the depth is scaled so that the mass is exact.
   const double wanted = release_volume(scene), sampled = model_->volume();
@@ -138,8 +139,26 @@ void FlowSide::advance_to(double t) {
   const double before = cpu_now();
   const double from = model_->time();
   model_->advance_to(t);
-  if (airborne_) airborne_->advance(model_->time() - from, *solver_);
+  if (airborne_) {
+    const double grounded = cpu_now();
+    airborne_->advance(model_->time() - from, *solver_);
+    cpu_flights_ += cpu_now() - grounded;
+  }
   cpu_ += cpu_now() - before;
+}
+
+PartTimes FlowSide::parts() const {
+  PartTimes own = model_->part_times();
+  const double timed = sum(own), cpu = std::max(0.0, cpu_ - cpu_flights_ - sum(parts_before_));
+  for (double& t : own) t *= timed > 0 ? cpu / timed : 0;
+  add(own, parts_before_);
+  return own;
+}
+
+std::vector<PartCost> FlowSide::costs() const {
+  std::vector<PartCost> costs = costs_of(parts());
+  if (cpu_flights_ > 0) costs.push_back({"flights", "airborne", cpu_flights_});
+  return costs;
 }
 
 double FlowSide::momentum() const {
@@ -246,7 +265,10 @@ void FlowSide::state(Archive& a) {
   if (a.loading()) model_->restore(model);
   if (measures_) a(*measures_);
   if (airborne_) a(*airborne_);
-  a(least_climbing_, impulse_, initial_mass_, boundary_mass_, inflow_mass_, copied_mass_, momentum_before_, cpu_);
+  PartTimes so_far = parts();
+  a(least_climbing_, impulse_, initial_mass_, boundary_mass_, inflow_mass_, copied_mass_, momentum_before_, cpu_, cpu_flights_,
+    so_far);
+  if (a.loading()) parts_before_ = so_far;
 }
 
 void FlowSide::gather_planes() {

@@ -29,6 +29,7 @@ class FlowSide {
 
   void advance_to(double t);           // [s] flow and flights; counts CPU
   double cpu() const { return cpu_; }  // [s]
+  std::vector<PartCost> costs() const;  // together cpu()
 
   // Takes up the other measures of force; zones: the cells that will be covered. report() then fills them in.
   const std::vector<ForceMeasure>& measure(const Scene&, const ReferenceSurface&, const std::vector<CellBox>& zones);
@@ -78,6 +79,9 @@ class FlowSide {
   std::optional<ForceMeasures> measures_;
   std::unique_ptr<Airborne> airborne_;
   std::vector<double> h_, hu_, hv_;
+  PartTimes parts() const;  // [s] of cpu_ without the flights
+  PartTimes parts_before_{};  // of runs that this one goes on from
+  double cpu_flights_ = 0;
   double initial_mass_ = 0, boundary_mass_ = 0, inflow_mass_ = 0, copied_mass_ = 0, momentum_before_ = 0, cpu_ = 0;
 };
 

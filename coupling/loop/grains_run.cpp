@@ -7,7 +7,6 @@
 #include "coupling/loop/names.hpp"
 #include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/build.hpp"
-#include "coupling/plan/plan.hpp"
 #include "coupling/plan/release.hpp"
 #include "coupling/transfer/coarse_grain.hpp"
 #include "coupling/transfer/domain_edge.hpp"
@@ -57,12 +56,10 @@ class GrainsRun : public ModeRun {
     edge_ = std::make_unique<DomainEdge>(open, length, scene_.terrain.width, side_->table().grain_density());
 
     RunStart begin;
-    begin.scene = &scene_;
     begin.surface = &surface_;
     begin.obstacles = obstacle_names(scene_);
     begin.measures = measures_ = wall_measures(scene_);
     begin.stress_gauges = gauges_;
-    begin.effects = make_plan(scene_).effects;
     begin.bulk_density = side_->table().bulk_density();
     begin.window = clock_->length(1);
     begin.sample_interval = side_->sample_interval();

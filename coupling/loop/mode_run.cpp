@@ -7,7 +7,10 @@
 
 #include "continuum/errors.hpp"
 #include "coupling/engine/engine_error.hpp"
+#include "coupling/loop/costs.hpp"
 #include "coupling/plan/build.hpp"
+#include "coupling/plan/plan.hpp"
+#include "coupling/plan/switches.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/reader.hpp"
 
@@ -43,9 +46,10 @@ double cpu_now() {
 }
 
 ModeRun::ModeRun(const Scene& scene, const RunOptions& options, const std::vector<Observer*>& observers)
-    : scene_(scene),
+    : scene_(as_run(scene)),
       options_(options),
-      surface_(reference_surface(scene)),
+      surface_(reference_surface(scene_)),
+      asked_(scene),
       observers_(observers),
       wall_start_(wall_now()),
       cpu_start_(cpu_now()),
@@ -57,10 +61,19 @@ void ModeRun::tell(const Event& event) {
 }
 
 void ModeRun::show(double time) {
+  const double before = cpu_now();
   FrameView view = frame();
   view.time = time;
   view.index = progress_.frames_shown++;
   for (Observer* o : observers_) o->on_frame(view);
+  progress_.records += cpu_now() - before;
+}
+
+RunStart ModeRun::begun() {
+  RunStart begin = start();
+  begin.scene = &asked_;
+  begin.effects = make_plan(asked_).effects;
+  return begin;
 }
 
 void ModeRun::set_out(RunStart& begin) {
@@ -68,6 +81,8 @@ void ModeRun::set_out(RunStart& begin) {
   started_ = true;
   for (const Event& event : early_) tell(event);
   for (const std::string& assumed : inflow_assumptions(scene_)) tell(0, "warning: " + assumed);
+  for (const std::string& by_hand : switched_off(asked_)) tell(0, "warning: " + by_hand);
+  progress_.set_up += cpu_now() - cpu_start_;
   if (progress_.frames.due(0)) show(0);
   progress_.checkpoints.due(0);
   if (keeps()) keep(0);
@@ -83,6 +98,7 @@ void ModeRun::go_back(RunStart& begin, const Return& back) {
   for (Observer* o : observers_) o->state(a);
   if (folder_ && !a.at_end()) throw CheckpointError("the checkpoint holds more than this run can take; start the run anew");
   kept_ = back.checkpoint.time;
+  progress_.set_up += cpu_now() - cpu_start_;
   for (Observer* o : observers_) o->on_resume({kept_, back.reason});
 }
 
@@ -102,6 +118,7 @@ bool ModeRun::any_engine() {
 }
 
 void ModeRun::keep(double time) {
+  const double before = cpu_now();
   const std::int64_t number = number_ + 1;
   try {
     const auto all = engines();
@@ -118,13 +135,14 @@ void ModeRun::keep(double time) {
   state(a);
   for (Observer* o : observers_) o->state(a);
   if (folder_) {
-    Checkpoint whole{number, time, options_.made_by, write_scene(scene_), a.bytes()};
+    Checkpoint whole{number, time, options_.made_by, write_scene(asked_), a.bytes()};
     folder_->commit(whole);
   }
   for (Observer* o : observers_) o->on_checkpoint(number);
   number_ = number;
   kept_ = time;
   wall_kept_ = wall_now();
+  progress_.checkpoints_made += cpu_now() - before;
 }
 
 void ModeRun::windows(RunEnd& result) {
@@ -135,8 +153,12 @@ void ModeRun::windows(RunEnd& result) {
     report.index = long(k);
     report.time = clock_->time(k);
     report.length = clock_->length(k);
+    const double before = cpu_now();
     window(k, report);
+    const double after = cpu_now();
     for (Observer* o : observers_) o->on_window(report);
+    progress_.in_windows += after - before;
+    progress_.records += cpu_now() - after;
     require_balance(report);
     progress_.window = k;
     if (progress_.frames.due(report.time)) show(report.time);
@@ -152,6 +174,7 @@ void ModeRun::windows(RunEnd& result) {
 }
 
 void ModeRun::end(RunEnd& end) {
+  const double own_continuum = cpu_continuum_;
   finish(end);
   const bool together = end.status == "done";  // else some rank may be gone
   end.checkpoint = kept_;
@@ -161,6 +184,7 @@ void ModeRun::end(RunEnd& end) {
   const double cpu = progress_.cpu + cpu_now() - cpu_start_;
   end.cpu_coupling = (together ? options_.ranks.total(cpu) : cpu) - cpu_continuum_;
   end.cpu = cpu_continuum_ + cpu_engine_ + end.cpu_coupling;
+  add_costs(end, cpu, own_continuum);
   // One that cannot write any more must not keep the others from it.
   std::exception_ptr failed;
   for (Observer* o : observers_) {
@@ -171,6 +195,24 @@ void ModeRun::end(RunEnd& end) {
     }
   }
   if (failed) std::rethrow_exception(failed);
+}
+
+// `cpu`, `cpu_continuum`: of this rank, which stands for all.
+void ModeRun::add_costs(RunEnd& end, double cpu, double cpu_continuum) const {
+  scale_to(end.costs, end.cpu_continuum);
+  if (end.cpu_engine > 0) end.costs.push_back({"engine", "grain_engine", end.cpu_engine});
+  const Progress& p = progress_;
+  const bool coupled = scene_.mode == Mode::coupled;
+  const double ledgers = p.in_windows - cpu_continuum;
+  const double rest = cpu - cpu_continuum - p.set_up - ledgers - p.records - p.checkpoints_made;
+  std::vector<PartCost> others{{"set_up", "", p.set_up},
+                               {coupled ? "exchange" : "ledgers", coupled ? "coupling" : "", ledgers},
+                               {"records", "", p.records},
+                               {"checkpoints", "", p.checkpoints_made},
+                               {"closing", "", rest}};
+  std::erase_if(others, [](const PartCost& c) { return c.seconds <= 0; });
+  scale_to(others, end.cpu_coupling);
+  end.costs.insert(end.costs.end(), others.begin(), others.end());
 }
 
 // The first error is the one to tell; what follows from it (a full disk, say) adds nothing.
@@ -190,7 +232,7 @@ RunEnd ModeRun::go(CheckpointFolder* folder, const Return* back, bool patient) {
   if (back) number_ = back->checkpoint.number;
   RunEnd result;
   try {
-    RunStart begin = start();
+    RunStart begin = begun();
     back ? go_back(begin, *back) : set_out(begin);
     windows(result);
     end(result);

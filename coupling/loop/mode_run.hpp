@@ -45,7 +45,7 @@ class ModeRun {
   void tell(const Event&);  // what comes before the start is told right after it
   void tell(double time, std::string what) { tell(Event{time, std::move(what)}); }
 
-  const Scene& scene_;
+  const Scene scene_;  // as it runs (coupling/plan/switches.hpp)
   const RunOptions& options_;
   ReferenceSurface surface_;
   std::unique_ptr<Clock> clock_;
@@ -58,6 +58,8 @@ class ModeRun {
     long frames_shown = 0;
     Schedule frames, checkpoints;
     double wall = 0, cpu = 0;  // [s] before this object's
+    // [s] of processor time: to the first window, in windows, in observers, for checkpoints; before this object's and its own.
+    double set_up = 0, in_windows = 0, records = 0, checkpoints_made = 0;
   };
   void set_out(RunStart&);
   void go_back(RunStart&, const Return&);
@@ -67,8 +69,12 @@ class ModeRun {
   bool due(double time);
   void keep(double time);
   void end(RunEnd&);
+  void add_costs(RunEnd&, double cpu, double cpu_continuum) const;
   void end_badly(RunEnd, const char* what);
 
+  RunStart begun();
+
+  const Scene& asked_;
   const std::vector<Observer*>& observers_;
   std::vector<Event> early_;
   bool started_ = false, resuming_ = false;

@@ -160,12 +160,19 @@ struct Resumption {
   void state(Archive& a) { a(time, reason); }
 };
 
+// [s] of processor time that a part of the run took; effect: that it is there for, empty: none.
+struct PartCost {
+  std::string part, effect;
+  double seconds = 0;
+};
+
 struct RunEnd {
   std::string status;  // "done" | "interrupted" | "failed"
   std::string reason;
   double checkpoint = -1;                                      // [s] simulated, of the last one; -1: none
   double wall = 0, cpu = 0;                                    // [s] without what was computed again
   double cpu_continuum = 0, cpu_engine = 0, cpu_coupling = 0;  // [s] shares of cpu
+  std::vector<PartCost> costs;                                 // together cpu
   long peak_grains = 0;
   std::int64_t particle_steps = 0;
   std::string engine;  // name and version, empty: none

@@ -8,6 +8,7 @@
 
 #include "coupling/plan/build.hpp"
 #include "coupling/plan/flow_estimate.hpp"
+#include "coupling/plan/switches.hpp"
 #include "coupling/plan/zone.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/refine.hpp"
@@ -88,7 +89,7 @@ struct Listing {
 
   Effect basal_friction() const {
     if (!continuum) return {"basal_friction", false, mode + ": the bed brakes through the grains' own contacts"};
-    const bool on = s.material.delta > 0;
+    const bool on = closure_of(s).tan_delta > 0;
     return {"basal_friction", on,
             on ? fmt::format("Coulomb, delta {}", ang(s.material.delta)) : "delta is 0: a frictionless bed"};
   }
@@ -98,6 +99,7 @@ struct Listing {
     if (!arc) return {"curvature", false, "the terrain has no arc: kappa is 0 everywhere"};
     if (s.continuum.curvature == "off")
       return {"curvature", false, "continuum.curvature is off, although the terrain has an arc"};
+    if (s.leaves_out("basal_friction")) return {"curvature", false, "it is a part of the friction, which is switched off by hand"};
     if (s.material.delta == 0) return {"curvature", false, "it presses the flow onto its bed, which is frictionless: delta is 0"};
     return {"curvature", true,
             fmt::format("the terrain has an arc of {} with radius {}", len(s.terrain.arc), len(s.terrain.arc / s.terrain.angle))};
@@ -267,9 +269,7 @@ struct Listing {
   }
 };
 
-}  // namespace
-
-std::vector<Effect> effects_of(const Scene& scene) {
+std::vector<Effect> listed(const Scene& scene) {
   const Listing list{scene};
   return {list.depth_averaged_flow(),
           list.across_slope(),
@@ -290,6 +290,26 @@ std::vector<Effect> effects_of(const Scene& scene) {
           list.side_friction(),
           list.coupling(),
           list.airborne()};
+}
+
+}  // namespace
+
+std::vector<Effect> called_for(const Scene& scene) {
+  Scene whole = scene;
+  whole.left_out.clear();
+  return listed(whole);
+}
+
+std::vector<Effect> effects_of(const Scene& scene) {
+  if (scene.left_out.empty()) return listed(scene);
+  std::vector<Effect> all = listed(as_run(scene));
+  const std::vector<Effect> asked = called_for(scene);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!scene.leaves_out(all[k].name)) continue;
+    all[k] = asked[k];
+    if (asked[k].on) all[k] = {asked[k].name, false, "switched off by hand, although the scene calls for it: " + asked[k].reason};
+  }
+  return all;
 }
 
 }  // namespace couloir

@@ -32,7 +32,7 @@ std::vector<FlowEstimate> flow_estimate(const Scene& scene) {
   const bool fed = scene.sides[0].kind == SideSpec::Kind::inflow, uniform = scene.release.kind == ReleaseSpec::Kind::uniform;
   const Footprint base = release_footprint(scene);
   const double start = uniform || fed ? 0 : (base.x0 + base.x1) / 2;
-  const double g = scene.gravity, mu = std::tan(scene.material.delta);
+  const double g = scene.gravity, mu = closure_of(scene).tan_delta;
   const double h0 = fed ? inflow.depth : deepest(scene), u0 = fed ? inflow.velocity : scene.release.velocity;
   const Spread spread{release_volume(scene),
                       h0,

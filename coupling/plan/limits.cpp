@@ -57,7 +57,7 @@ double fastest(const Scene& scene) {
   double gained = 0, most_gained = 0;  // [m2/s2] u^2 along the energy line, the best stretch of it
   const ReferenceSurface surface = reference_surface(scene);
   constexpr int stations = 400;
-  const double length = scene.terrain.total_length(), step = length / stations, mu = std::tan(scene.material.delta);
+  const double length = scene.terrain.total_length(), step = length / stations, mu = closure_of(scene).tan_delta;
   for (int n = 0; n < stations; ++n) {
     const double zeta = surface.angle((n + 0.5) * step);
     gained = std::max(0.0, gained + 2 * scene.gravity * (std::sin(zeta) - mu * std::cos(zeta)) * step);

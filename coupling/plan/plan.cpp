@@ -12,6 +12,7 @@
 #include "coupling/plan/effects.hpp"
 #include "coupling/plan/limits.hpp"
 #include "coupling/plan/release.hpp"
+#include "coupling/plan/switches.hpp"
 #include "coupling/scene/calibration_name.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/refine.hpp"
@@ -260,11 +261,13 @@ void warn(Plan& plan, const Scene& scene) {
 
 }  // namespace
 
-Plan make_plan(const Scene& scene) {
+Plan make_plan(const Scene& asked) {
+  const Scene scene = as_run(asked);
   Plan plan;
+  plan.warnings = switched_off(asked);
   plan.title = scene.title;
   plan.mode = scene.mode;
-  plan.effects = effects_of(scene);
+  plan.effects = effects_of(asked);
   plan.release_volume = release_volume(scene);
   plan.release_mass = plan.release_volume * scene.material.density;
   const double first =

@@ -311,6 +311,13 @@ std::string Summary::made(const RunEnd& end) const {
       out["obstacles"][m.what.of][m.what.kind] = figures;
     }
   }
+  out["costs"] = Json::array();
+  for (const PartCost& c : end.costs) {
+    out["costs"].push_back({{"part", c.part},
+                            {"effect", c.effect.empty() ? Json() : Json(c.effect)},
+                            {"seconds", c.seconds},
+                            {"share", end.cpu > 0 ? c.seconds / end.cpu : 0}});
+  }
   out["effects"] = Json::array();
   for (const Effect& e : effects_) out["effects"].push_back({{"name", e.name}, {"on", e.on}, {"reason", e.reason}});
   out["events"] = Json::array();

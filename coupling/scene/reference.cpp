@@ -40,6 +40,7 @@ std::string kind_of(const Key& key) {
 // From scene.hpp: the value of a scene in which nothing is set.
 std::string default_of(const Key& key) {
   if (key.presence == Presence::required) return key.selector.empty() ? "required" : "required there";
+  if (key.presence == Presence::optional && key.kind == ValueKind::choice) return key.choices.front();
   if (key.presence == Presence::optional) return key.written ? "none" : "the material's";
   if (!key.get) return "";
   Scene blank;

@@ -1,6 +1,7 @@
 #pragma once
 // A run as plain data: SI units, radians, complete (every default filled in). Made by the reader, used by everybody.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -219,7 +220,9 @@ struct Scene {
   ContinuumSpec continuum;
   GrainSpec grains;
   RecordSpec record;
-  double duration = 0;  // [s]
+  std::vector<std::string> left_out;  // effects that the scene switches off by hand
+  double duration = 0;                // [s]
+  bool leaves_out(const std::string& effect) const { return std::ranges::find(left_out, effect) != left_out.end(); }
 };
 
 inline double checkpoint_interval(const Scene& s) {  // [s]

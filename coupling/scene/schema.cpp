@@ -9,6 +9,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "coupling/scene/effect_names.hpp"
 #include "coupling/scene/schema_builder.hpp"
 
 namespace couloir {
@@ -348,6 +349,26 @@ void add_boundaries(Keys& k) {
   }
 }
 
+void add_effects(Keys& k) {
+  k.add(mapping("effects",
+                "off: a run leaves the effect out by hand; where the plan has it off anyway nothing changes, where the scene calls "
+                "for it plan and run say so, or refuse where it is what the scene is made of"));
+  for (const std::string name : effect_names) {
+    Key key;
+    key.path = "effects." + name;
+    key.kind = ValueKind::choice;
+    key.help = "auto: where the scene calls for it; couloir plan says why";
+    key.choices = {"auto", "off"};
+    key.presence = Presence::optional;
+    key.get = [name](const Scene& s, int) -> Value { return s.leaves_out(name) ? "off" : ""; };
+    key.set = [name](Scene& s, int, const Value& value) {
+      std::erase(s.left_out, name);
+      if (std::get<std::string>(value) == "off") s.left_out.push_back(name);
+    };
+    k.add(key);
+  }
+}
+
 void add_record(Keys& k) {
   k.add(mapping("record", "what is written and how often"));
   k.add(number("record.frames", time,
@@ -408,6 +429,7 @@ const std::vector<Key>& schema() {
     add_boundaries(k);
     add_continuum(k);
     add_grains(k);
+    add_effects(k);
     add_record(k);
     return k.take();
   }();

@@ -90,8 +90,9 @@ void write_mapping(std::string& out, const Scene& scene, const std::string& patt
     }
     const Value value = key->get ? key->get(scene, index) : Value("");
     if (key->kind == ValueKind::mapping && std::get<std::string>(value).empty()) {
-      out += fmt::format("{}{}:\n", indent, key->name());
-      write_mapping(out, scene, key->path, index, depth + 1);
+      std::string keys;
+      write_mapping(keys, scene, key->path, index, depth + 1);
+      if (!keys.empty()) out += fmt::format("{}{}:\n{}", indent, key->name(), keys);
       continue;
     }
     if (key->presence == Presence::optional && is_nothing(value)) continue;
