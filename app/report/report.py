@@ -15,6 +15,7 @@ from pathlib import Path
 import budgets
 import compare
 import control_volume
+import costs
 import figures
 import spectra
 import stresses
@@ -159,6 +160,9 @@ def report_one(run, out):
     body += section("Packings", packings_table(run))
     body += section("Key figures", key_figures([run], ["value"]) if run.summary else "")
     body += section("Effects", effects_table(run.summary["effects"]) if run.summary.get("effects") else "")
+    if run.summary.get("costs"):
+        body += section("What it cost", picture(costs.shares([run.summary["costs"]], [run.mode], out / "costs.png"),
+                                                "By the effect that asks for it; blue: the flow itself.") + costs.table(run.summary["costs"]))
     body += section("Events", events_table(run.events) if run.events else "")
     body += section("Mass and momentum", picture(budgets.ledger(run, out / "ledger.png"),
                                                  "Where the mass is, what changed the momentum, and what is left unexplained."))
@@ -226,6 +230,9 @@ def report_several(runs, out):
     body += section("Stresses", picture(stresses.several(runs, names, out / "stresses.png"),
                                         "By the grains on parts of a front: running means of 15 ms."))
     body += section("Ratios", ratio_table(runs, names, best))
+    if all(run.summary.get("costs") for run in runs):
+        body += section("What they cost", picture(costs.shares([run.summary["costs"] for run in runs], names, out / "costs.png"),
+                                                  "By the effect that asks for it; blue: the flow itself."))
     body += section("Depth", picture(compare.depth(runs, names, out / "depth.png"), "Depth at the same instants, on one scale."))
     body += section("Key figures", key_figures(runs, names))
     title = runs[best].title if len({run.title for run in runs}) == 1 else "Comparison of runs"

@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""Which effects run in a set of scenes, why, and what each costs: the tables and the picture of docs/results/effects.md.
+
+    bench/effects_scenes.py [--rounds 5] [--picture docs/results/effects.png] [name...]
+
+Runs each scene by `couloir run` and reads `effects` and `costs` of its summary. Friction, curvature and earth pressure are also
+terms within the solver's loops, which no clock can see alone: the scene runs with and without them (`effects.<name>: off`) in turn,
+and what is compared is the least processor time of a cell update over the rounds, since the flows differ.
+"""
+
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "app/report"))
+import costs  # noqa: E402
+
+TERMS = ("basal_friction", "curvature", "earth_pressure")
+INCLINE, CHUTE, WALL = "bench/scenes/incline.yaml", "experiments/chiou_wall", "tests/scenes/small_wall.yaml"
+FRICTION = ["material.basal_friction_angle=24 deg"]
+SHORT = ["duration=0.8 s", "mode=continuum"]
+# name, scene, what is set
+SCENES = [
+    ("incline", INCLINE, []),
+    ("incline, friction", INCLINE, FRICTION),
+    ("incline, friction, K", INCLINE, [*FRICTION, "continuum.closure=active_passive"]),
+    ("chute with an arc", CHUTE, [*SHORT, "obstacles={}"]),
+    ("wall as a step", CHUTE, SHORT),
+    ("wall by elevation", CHUTE, [*SHORT, "obstacles.wall.method=elevation"]),
+    ("wall of planes", CHUTE, [*SHORT, "obstacles.wall.method=planes"]),
+    ("wall, two levels finer", CHUTE, [*SHORT, "duration=0.5 s", "continuum.adapt.levels=2"]),
+    ("wall by elevation, noc", CHUTE, [*SHORT, "obstacles.wall.method=elevation", "continuum.scheme=noc"]),
+    ("several obstacles", "experiments/slit_and_pillars", ["mode=continuum"]),
+    ("coupled: grains at a wall", WALL, []),
+    ("grains alone at a wall", WALL, ["mode=grains"]),
+]
+
+
+def run(scene, settings, more=()):
+    """summary.json of the run."""
+    with tempfile.TemporaryDirectory() as folder:
+        words = [str(ROOT / "build/release/bin/couloir"), "run", str(ROOT / scene), "--json", "--no-report", "--out", folder + "/run"]
+        for setting in [*settings, *more]:
+            words += ["--set", setting]
+        done = subprocess.run(words, capture_output=True, text=True, cwd=ROOT)
+    if done.returncode:
+        sys.exit(f"{' '.join(words)} ended with {done.returncode}: {done.stderr.strip()}")
+    return json.loads(done.stdout)
+
+
+def update_time(summary):
+    """[ns] of a cell update."""
+    return 1e9 * summary["time"]["cpu_continuum"] / summary["continuum"]["cell_updates"]
+
+
+def terms_of(scene, settings, summary, rounds):
+    """effect -> share of a cell update's time that goes without it [-]."""
+    on = [e["name"] for e in summary["effects"] if e["on"] and e["name"] in TERMS]
+    least = {}
+    for _ in range(rounds if on else 0):
+        for name in ["", *on]:
+            took = update_time(run(scene, settings, [f"effects.{name}=off"] if name else []))
+            least[name] = min(took, least.get(name, took))
+    return {name: 1 - least[name] / least[""] for name in on}
+
+
+def print_scene(name, scene, settings, summary, terms):
+    own = {}
+    for c in summary["costs"]:
+        own[c["effect"]] = own.get(c["effect"], 0) + c["share"]
+    words = " ".join(f"--set '{s}'" if " " in s or "{" in s else f"--set {s}" for s in settings)
+    print(f"\n### {name[0].upper() + name[1:]}\n\n    ./couloir run {scene} {words}".rstrip())
+    rate = summary["continuum"]["cell_updates_per_second"]
+    print(f"\n{summary['time']['cpu']:.2g} s of processor time" + (f"; {rate / 1e6:.0f} million cell updates a second." if rate else "."))
+    print("\n| effect | why | own parts | terms within the loops |\n| --- | --- | --- | --- |")
+    for e in summary["effects"]:
+        if e["on"]:
+            share = f"{100 * own[e['name']]:.1f} %" if own.get(e["name"], 0) > 0 else ""
+            term = f"{100 * terms[e['name']]:.0f} %" if e["name"] in terms else ""
+            print(f"| {e['name']} | {e['reason']} | {share} | {term} |")
+    print(f"| none of them | set-up, ledgers, records | {100 * own.get(None, 0):.1f} % | |")
+    stray = sum(own.get(e["name"], 0) for e in summary["effects"] if not e["on"])
+    print(f"\nOff: {', '.join(e['name'] for e in summary['effects'] if not e['on'])}; together {100 * stray:.2f} %.")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("names", nargs="*", help="scenes; none: all")
+    parser.add_argument("--rounds", type=int, default=5, help="runs with and without each term")
+    parser.add_argument("--picture", type=pathlib.Path)
+    arguments = parser.parse_args()
+    unknown = set(arguments.names) - {s[0] for s in SCENES}
+    if unknown:
+        parser.error(f"{', '.join(unknown)}: there is no such scene; there are {'; '.join(s[0] for s in SCENES)}")
+    chosen = [s for s in SCENES if not arguments.names or s[0] in arguments.names]
+    found = []
+    for name, scene, settings in chosen:
+        summary = run(scene, settings)
+        print_scene(name, scene, settings, summary, terms_of(scene, settings, summary, arguments.rounds))
+        sys.stdout.flush()
+        found.append(summary["costs"])
+    if arguments.picture:
+        costs.shares(found, [s[0] for s in chosen], arguments.picture)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
