@@ -1,5 +1,5 @@
-// The rates of this machine: runs bench/flow_rate.cpp, which lies beside this program, and prints what it measured as a table. With
-// a scene: what a whole run of it makes of them.
+// The rates of this machine: runs bench/flow_rate.cpp, which lies beside this program, and prints what it measured as a table.
+// With a scene: what a whole run of it makes of them.
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -43,7 +43,8 @@ std::string output_of(const std::filesystem::path& program, const std::vector<st
   return text;
 }
 
-// {instruction_set, cases: [{group, name, best, mean, bytes_per_cell, stepped_per_wet}]}; filter: a regular expression, empty: all.
+// {instruction_set, cases: [{group, name, best, mean, bytes_per_cell, stepped_per_wet}]}; filter: a regular expression, empty:
+// all.
 Json measured(const std::string& filter) {
   const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "flow_rate";
   if (!std::filesystem::exists(program)) {
@@ -97,7 +98,8 @@ struct Scrap {
 };
 
 // Cell updates (cells times stages) a second of processor time, the best of some rounds, in each of which all are measured once:
-// {run: all that couloir run does, stepping: the solver's steps in it, solver: of flow_rate, without effects, kernel: the bare one}.
+// {run: all that couloir run does, stepping: the solver's steps in it, solver: of flow_rate, without effects, kernel: the bare
+// one}.
 Json run_rates(const SceneOptions& options, int rounds) {
   const Scene scene = options.read();
   if (scene.mode != Mode::continuum) throw SceneError("bench compares the continuum's rate: give it --mode continuum");

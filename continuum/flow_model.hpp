@@ -17,8 +17,8 @@
 #include "continuum/mesh/ranks.hpp"
 #include "continuum/mesh/refinement.hpp"
 #include "continuum/scheme/budget.hpp"
-#include "continuum/scheme/step_parts.hpp"
 #include "continuum/scheme/limiter.hpp"
+#include "continuum/scheme/step_parts.hpp"
 
 namespace couloir {
 

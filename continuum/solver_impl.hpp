@@ -67,7 +67,7 @@ struct Solver::Impl {
   bool run(int level, StageName, double dt);  // false: some depth fell below zero
   void go_back();                             // to the start of the step
   void collect_tallies();
-  std::vector<Laps*> laps();        // of all threads
+  std::vector<Laps*> laps();  // of all threads
   void count_zones(double dt);
   // These throw NumericsError, naming place and time.
   void check_finite() const;

@@ -33,7 +33,7 @@ class NestedNoc final : public FlowModel {
 
   const Grid& grid() const override;  // of the base
   double time() const override;
-  std::int64_t steps() const override;         // of the base
+  std::int64_t steps() const override;  // of the base
   PartTimes part_times() const override;
   std::int64_t cell_updates() const override;  // on all grids, rims included
 

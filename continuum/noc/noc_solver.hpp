@@ -23,7 +23,7 @@ class NocSolver final : public FlowModel {
 
   const Grid& grid() const override;
   double time() const override;
-  std::int64_t steps() const override;         // pairs of half steps
+  std::int64_t steps() const override;  // pairs of half steps
   PartTimes part_times() const override;
   std::int64_t cell_updates() const override;  // corners and centres
 

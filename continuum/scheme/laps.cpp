@@ -21,8 +21,8 @@ double cost_of_lap() {
 
 const char* to_string(StepPart part) {
   constexpr std::array<const char*, part_count> names{
-      "mesh", "levels",         "order", "ghosts",    "velocities", "rates", "earth_pressure", "rest",     "shocks",
-      "reconstruction", "bed", "bed_steps", "fluxes", "sides",      "zone_rims", "measures",   "update", "planes"};
+      "mesh",           "levels", "order",     "ghosts", "velocities", "rates",     "earth_pressure", "rest",   "shocks",
+      "reconstruction", "bed",    "bed_steps", "fluxes", "sides",      "zone_rims", "measures",       "update", "planes"};
   return names[static_cast<std::size_t>(part)];
 }
 

@@ -17,14 +17,14 @@ enum class StepPart {
   rest,            // which cells friction holds still
   shocks,          // where friction asks for a flat reconstruction
   reconstruction,
-  bed,         // what only a bed with relief asks for
-  bed_steps,   // jumps of the bed
-  fluxes,      // through the faces
-  sides,       // of the domain
-  zone_rims,   // of covered zones
-  measures,    // gauges and control volumes
-  update,      // new state, with weight and friction; sums
-  planes,      // flows on an obstacle's planes
+  bed,        // what only a bed with relief asks for
+  bed_steps,  // jumps of the bed
+  fluxes,     // through the faces
+  sides,      // of the domain
+  zone_rims,  // of covered zones
+  measures,   // gauges and control volumes
+  update,     // new state, with weight and friction; sums
+  planes,     // flows on an obstacle's planes
 };
 inline constexpr int part_count = 18;
 const char* to_string(StepPart);

@@ -28,7 +28,8 @@ FlowSide::FlowSide(const Scene& scene, const ReferenceSurface& surface, int thre
     impulse_.push_back({0, 0});
   }
 
-  if (solver_ && scene.mode == Mode::coupled && !scene.obstacles.empty() && !scene.leaves_out("airborne")) make_airborne(scene, surface);
+  if (solver_ && scene.mode == Mode::coupled && !scene.obstacles.empty() && !scene.leaves_out("airborne"))
+    make_airborne(scene, surface);
   model_->set([&](double x, double y) { return release_at(scene, x, y); });
   // The cells' sampling of the release is off by its edge; the depth is scaled so that the mass is exact.
   const double wanted = release_volume(scene), sampled = model_->volume();

@@ -27,8 +27,8 @@ class FlowSide {
   double density() const { return density_; }            // [kg/m3]
   double initial_mass() const { return initial_mass_; }  // [kg]
 
-  void advance_to(double t);           // [s] flow and flights; counts CPU
-  double cpu() const { return cpu_; }  // [s]
+  void advance_to(double t);            // [s] flow and flights; counts CPU
+  double cpu() const { return cpu_; }   // [s]
   std::vector<PartCost> costs() const;  // together cpu()
 
   // Takes up the other measures of force; zones: the cells that will be covered. report() then fills them in.
@@ -79,7 +79,7 @@ class FlowSide {
   std::optional<ForceMeasures> measures_;
   std::unique_ptr<Airborne> airborne_;
   std::vector<double> h_, hu_, hv_;
-  PartTimes parts() const;  // [s] of cpu_ without the flights
+  PartTimes parts() const;    // [s] of cpu_ without the flights
   PartTimes parts_before_{};  // of runs that this one goes on from
   double cpu_flights_ = 0;
   double initial_mass_ = 0, boundary_mass_ = 0, inflow_mass_ = 0, copied_mass_ = 0, momentum_before_ = 0, cpu_ = 0;

@@ -99,7 +99,8 @@ struct Listing {
     if (!arc) return {"curvature", false, "the terrain has no arc: kappa is 0 everywhere"};
     if (s.continuum.curvature == "off")
       return {"curvature", false, "continuum.curvature is off, although the terrain has an arc"};
-    if (s.leaves_out("basal_friction")) return {"curvature", false, "it is a part of the friction, which is switched off by hand"};
+    if (s.leaves_out("basal_friction"))
+      return {"curvature", false, "it is a part of the friction, which is switched off by hand"};
     if (s.material.delta == 0) return {"curvature", false, "it presses the flow onto its bed, which is frictionless: delta is 0"};
     return {"curvature", true,
             fmt::format("the terrain has an arc of {} with radius {}", len(s.terrain.arc), len(s.terrain.arc / s.terrain.angle))};

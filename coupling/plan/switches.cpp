@@ -49,8 +49,9 @@ std::vector<std::string> switched_off(const Scene& scene) {
   for (const Effect& e : called_for(scene)) {
     if (!e.on || !scene.leaves_out(e.name)) continue;
     if (const auto remedy = remedies().find(e.name); remedy != remedies().end()) {
-      throw SceneError(fmt::format("{}: effects.{} is off, but the scene calls for it ({}), and it is no term that a run can leave out; {}",
-                                   scene.places.of("effects." + e.name), e.name, e.reason, remedy->second));
+      throw SceneError(
+          fmt::format("{}: effects.{} is off, but the scene calls for it ({}), and it is no term that a run can leave out; {}",
+                      scene.places.of("effects." + e.name), e.name, e.reason, remedy->second));
     }
     sentences.push_back(
         fmt::format("effects.{} is off, although the scene calls for it ({}): the run leaves it out.", e.name, e.reason));

@@ -13,8 +13,8 @@ namespace couloir {
 // Scene::leaves_out().
 Scene as_run(const Scene&);
 
-// A whole sentence for each effect that is switched off by hand although the scene calls for it. Throws SceneError where it cannot
-// be left out.
+// A whole sentence for each effect that is switched off by hand although the scene calls for it. Throws SceneError where it
+// cannot be left out.
 std::vector<std::string> switched_off(const Scene&);
 
 }  // namespace couloir

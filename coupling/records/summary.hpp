@@ -36,8 +36,8 @@
 //             or no grains meet it), .harmonics [{frequency, peak_over_neighbours, between_harmonics}]: coupling_noise.hpp,
 //             from the first contact on
 //   flow      .max_speed [m/s]
-//   costs     [{part, effect, seconds, share}]: time.cpu by what took it; effect: that alone asks for this part (null: none), seconds
-//             of processor time, share of time.cpu. The solver's parts are told in continuum/scheme/step_parts.hpp; flights, engine,
+//   costs     [{part, effect, seconds, share}]: time.cpu by what took it; effect: that alone asks for this part (null: none)
+//             seconds of processor time; share of time.cpu. The solver's parts: continuum/scheme/step_parts.hpp; flights, engine,
 //             set_up, exchange (coupled, with the ledgers) or ledgers, records, checkpoints, closing
 //   effects   [{name, on, reason}];  events [{time, what}]
 //   resumed   [{time, reason}]: where the run went on from a checkpoint

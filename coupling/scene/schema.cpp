@@ -350,9 +350,10 @@ void add_boundaries(Keys& k) {
 }
 
 void add_effects(Keys& k) {
-  k.add(mapping("effects",
-                "off: a run leaves the effect out by hand; where the plan has it off anyway nothing changes, where the scene calls "
-                "for it plan and run say so, or refuse where it is what the scene is made of"));
+  k.add(
+      mapping("effects",
+              "off: a run leaves the effect out by hand; where the plan has it off anyway nothing changes, where the scene calls "
+              "for it plan and run say so, or refuse where it is what the scene is made of"));
   for (const std::string name : effect_names) {
     Key key;
     key.path = "effects." + name;

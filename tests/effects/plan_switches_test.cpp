@@ -1,11 +1,10 @@
-#include "coupling/plan/switches.hpp"
-
 #include <gmock/gmock.h>
 
 #include <set>
 
 #include "coupling/plan/effects.hpp"
 #include "coupling/plan/plan.hpp"
+#include "coupling/plan/switches.hpp"
 #include "coupling/scene/effect_names.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "tests/plan/plan_scenes.hpp"
@@ -38,7 +37,8 @@ TEST(Switches, LeaveThePlanAloneWhereItHasTheEffectOff) {
       const Scene scene = experiment(name, {{"mode", mode}});
       const nlohmann::json plan = plan_json(make_plan(scene));
       for (const Effect& e : effects_of(scene))
-        if (!e.on) EXPECT_EQ(plan_json(make_plan(off(name, e.name, {{"mode", mode}}))), plan) << name << " " << mode << " " << e.name;
+        if (!e.on)
+          EXPECT_EQ(plan_json(make_plan(off(name, e.name, {{"mode", mode}}))), plan) << name << " " << mode << " " << e.name;
     }
   }
 }
@@ -48,12 +48,13 @@ TEST(Switches, SayWhatTheSceneCallsFor) {
   const Scene s = off("chiou_wall", "curvature");
   EXPECT_FALSE(effect(s, "curvature").on);
   EXPECT_EQ(effect(s, "curvature").reason, "switched off by hand, although the scene calls for it: " + reason);
-  EXPECT_THAT(make_plan(s).warnings,
-              testing::Contains("effects.curvature is off, although the scene calls for it (" + reason + "): the run leaves it out."));
+  EXPECT_THAT(make_plan(s).warnings, testing::Contains("effects.curvature is off, although the scene calls for it (" + reason +
+                                                       "): the run leaves it out."));
 }
 
 TEST(Switches, LeaveTheTermOut) {
-  EXPECT_FALSE(as_run(off("chiou_wall", "refinement", {{"mode", "continuum"}, {"continuum.adapt.levels", "2"}})).continuum.refined());
+  EXPECT_FALSE(
+      as_run(off("chiou_wall", "refinement", {{"mode", "continuum"}, {"continuum.adapt.levels", "2"}})).continuum.refined());
   EXPECT_EQ(as_run(off("chiou_wall", "earth_pressure")).continuum.closure, "hydraulic");
   EXPECT_EQ(as_run(off("chiou_wall", "curvature")).continuum.curvature, "off");
   EXPECT_EQ(as_run(off("chiou_wall", "rolling_friction")).material.grain.rolling_friction, 0);

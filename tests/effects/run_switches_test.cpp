@@ -1,5 +1,5 @@
-// An effect that the plan has off may be switched off by hand: not a bit of the run changes. One that the scene calls for: the run
-// is another, and says so.
+// An effect that the plan has off may be switched off by hand: not a bit of the run changes. One that the scene calls for: the
+// run is another, and says so.
 
 #include <gmock/gmock.h>
 
@@ -40,9 +40,8 @@ struct Case {
 // Between them every effect is off in one.
 const Case slab{"slab", "tests/scenes/slab.yaml", {}};
 const Case bare{"bare", "bench/scenes/incline.yaml", {{"continuum.cell", "160 mm"}}};
-const Case level{"level",
-                 "tests/scenes/slab.yaml",
-                 {{"terrain", "{kind: flat, length: 1 m, width: 10 mm}"}, {"release.width", "10 mm"}}};
+const Case level{
+    "level", "tests/scenes/slab.yaml", {{"terrain", "{kind: flat, length: 1 m, width: 10 mm}"}, {"release.width", "10 mm"}}};
 const Case noc{"noc", "tests/scenes/slab.yaml", {{"continuum.scheme", "noc"}}};
 const Case coupled{"coupled", "tests/scenes/small_wall.yaml", {{"duration", "60 ms"}}};
 const Case no_wall{
