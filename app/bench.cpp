@@ -110,7 +110,7 @@ Json run_rates(const SceneOptions& options, int rounds) {
   const auto better = [&](const char* name, double rate) { out[name] = std::max(out[name].get<double>(), rate); };
   for (int round = 0; round < rounds; ++round) {
     const Json alone = measured("effect/(none|bare_kernel)/");
-    for (const Json& c : alone["cases"]) better(c["name"] == "none" ? "solver" : "kernel", c["best"]);
+    for (const Json& c : alone["cases"]) better(c["name"] == "none" ? "solver" : "kernel", c["mean"]);
     out["instruction_set"] = alone["instruction_set"];
     std::filesystem::remove_all(scrap.path);
     const Json run = Json::parse(output_of(own_program(), words));

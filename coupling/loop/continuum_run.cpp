@@ -41,7 +41,7 @@ class ContinuumRun : public ModeRun {
     flow_->report(w);
     // At rest: by what the weight would give in the window.
     const double weights = scene_.gravity * w.length;
-    book_.close(w.momentum, flow_->momentum(), w.mass.continuum * std::max(w.max_speed, weights));
+    book_.close(w.momentum, flow_->reported_momentum(), w.mass.continuum * std::max(w.max_speed, weights));
     for (int k = 0; k < int(scene_.obstacles.size()); ++k) {
       w.obstacles.push_back(flow_->force(k, w.length));
       w.overtopped += flow_->overtopped(k);

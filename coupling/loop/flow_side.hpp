@@ -36,7 +36,8 @@ class FlowSide {
 
   // Ledger entries of the solver since the last call: mass state, momentum terms, counters.
   void report(WindowReport&);
-  double momentum() const;  // [N s] along x, present, with what flies
+  double momentum() const;                                       // [N s] along x, present, with what flies
+  double reported_momentum() const { return momentum_before_; }  // [N s] the same, as the last report found it
   // Cells were covered: what they held is no storage of the next report.
   void forget_covered() { momentum_before_ = momentum(); }
   ObstacleForce force(int obstacle, double window);  // mean since the last call for this obstacle

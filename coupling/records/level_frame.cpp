@@ -24,13 +24,18 @@ std::vector<float> level_nodes(const Grid& grid, const ReferenceSurface& surface
 
 std::vector<float> level_free_surface(const Grid& grid, const ReferenceSurface& surface, const std::vector<double>& bed,
                                       const std::vector<double>& h) {
-  std::vector<float> out;
-  out.reserve(3 * h.size());
-  for (int j = 0; j < grid.ny; ++j)
-    for (int i = 0; i < grid.nx; ++i) {
+  // Across and along the normal a column of cells is straight: one frame for all of it.
+  std::vector<float> out(3 * h.size());
+  const Eigen::Vector3d across = turn(surface, Eigen::Vector3d::UnitY());
+  for (int i = 0; i < grid.nx; ++i) {
+    const double x = grid.x(i);
+    const Eigen::Vector3d foot = surface.to_level(surface.to_space({x, 0, 0})), up = turn(surface, surface.normal(x));
+    for (int j = 0; j < grid.ny; ++j) {
       const auto k = std::size_t(j) * grid.nx + i;
-      add(out, surface.to_level(surface.to_space({grid.x(i), grid.y(j), (bed.empty() ? 0 : bed[k]) + h[k]})));
+      const Eigen::Vector3d v = foot + grid.y(j) * across + ((bed.empty() ? 0 : bed[k]) + h[k]) * up;
+      for (int c = 0; c < 3; ++c) out[3 * k + c] = float(v[c]);
     }
+  }
   return out;
 }
 
