@@ -16,10 +16,11 @@ inline Vec from_to(const Vec& a, const Vec& b) {
 }
 
 struct PlaceOnFace {
-  double along;  // [m] from the face's low end, measured on the bed
-  // The velocity there of a layer that moves along at 1: about the arc's axis it turns as a rigid body, so that its grains keep
-  // their distances.
-  Vec way;
+  double along;   // [m] from the face's low end, measured on the bed
+  Vec direction;  // unit, along the bed
+  // [-] How fast a layer that slides along the bed at 1 moves there: about the arc's axis it turns as a rigid body. Where the arc
+  // begins and ends it is squeezed and stretched by this.
+  double pace;
 };
 
 //    foot  .  .  . centre
@@ -28,20 +29,23 @@ struct PlaceOnFace {
 //   --+ . . . \ . point
 inline PlaceOnFace place_on(const DriveFace& face, const Vec& point) {
   const Bend& bend = face.bend;
-  if (bend.length == 0) return {dot(from_to(face.origin, point), face.along), face.along};
+  if (bend.length == 0) return {dot(from_to(face.origin, point), face.along), face.along, 1};
   const Vec down = from_to(bend.centre, bend.foot), arm = from_to(bend.centre, point);
   const double radius = std::sqrt(dot(down, down));
   const double ahead = dot(arm, face.along), below = dot(arm, down) / radius;
-  if (ahead <= 0) return {bend.begin + ahead, face.along};
+  if (ahead <= 0) return {bend.begin + ahead, face.along, 1};
   const auto direction = [&](double on, double off) {  // of the first tangent and of `down`
     Vec v;
     for (int k = 0; k < 3; ++k) v[k] = on * face.along[k] + off * down[k] / radius;
     return v;
   };
   const double turned = std::atan2(ahead, below), whole = bend.length / radius;
-  if (turned < whole) return {bend.begin + turned * radius, direction(below / radius, -ahead / radius)};
+  if (turned < whole) {
+    const double reach = std::hypot(ahead, below);
+    return {bend.begin + turned * radius, direction(below / reach, -ahead / reach), reach / radius};
+  }
   const double c = std::cos(whole), s = std::sin(whole);
-  return {bend.begin + bend.length + c * ahead - s * below, direction(c, -s)};
+  return {bend.begin + bend.length + c * ahead - s * below, direction(c, -s), 1};
 }
 
 }  // namespace couloir

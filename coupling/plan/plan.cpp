@@ -207,8 +207,8 @@ void warn_of_places(const Plan& plan, const Scene& scene, const auto& say) {
     say("The shallow model holds at every obstacle: mode continuum would do. The zones are around all of them.");
   for (const ObstacleSpec& o : scene.obstacles) {
     if (any_holds(plan.zones, o)) continue;
-    const auto holds = std::ranges::any_of(
-        plan.shallow, [&](const ShallowVerdict& v) { return v.obstacle && v.place == o.name && v.holds(); });
+    const auto holds =
+        std::ranges::any_of(plan.shallow, [&](const ShallowVerdict& v) { return v.obstacle && v.place == o.name && v.holds(); });
     say(fmt::format("{} lies outside the zone: the continuum flows around it{}.", o.name,
                     holds ? ", as the shallow model holds there" : ""));
   }
@@ -226,7 +226,7 @@ void warn(Plan& plan, const Scene& scene) {
     say(fmt::format("grains.replicates is {}, but nothing in mode continuum is random: there is one run.",
                     scene.grains.replicates));
   if (scene.mode == Mode::continuum) return;
-  const double d = scene.grains.diameter, tan_delta = std::tan(scene.material.delta), mu = scene.material.grain.base_friction;
+  const double d = scene.grains.diameter, tan_delta = closure_of(scene).tan_delta, mu = scene.material.grain.base_friction;
   if (scene.mode == Mode::coupled && std::abs(mu - tan_delta) > 0.02) {
     say(fmt::format("The two models brake differently: base friction of the grains is {:.3g}, tan(delta) is {:.3g}.", mu,
                     tan_delta));

@@ -74,7 +74,7 @@ class RimMover {
     for (int f = 0; f < int(before_.rim_.faces().size()); ++f) {
       const RimFace& old = before_.rim_.faces()[f];
       const int g = same_plane(old);
-      if (g >= 0) now_.slide_[g] = before_.slide_[f], now_.slid_[g] = before_.slid_[f];
+      if (g >= 0 && now_.rim_.faces()[g].slides) now_.slide_[g] = before_.slide_[f], now_.slid_[g] = before_.slid_[f];
       for (int k = 0; k < old.cells; ++k) {
         const Parcel& parcel = before_.handback_.pending()[f][k];
         const int to = g < 0 ? -1 : cell_on(g, before_.rim_.outside_cell(old, k));

@@ -10,6 +10,17 @@ Vec vec(const double* x) {
   return {x[0], x[1], x[2]};
 }
 
+// What a velocity has along a face, in the direction that the face has elsewhere.
+Vec turned(const Vec& velocity, const Vec& inward, const Vec& direction) {
+  const double normal = dot(velocity, inward);
+  Vec along;
+  for (int k = 0; k < 3; ++k) along[k] = velocity[k] - normal * inward[k];
+  const double speed = std::copysign(std::sqrt(dot(along, along)), dot(along, direction));
+  Vec result;
+  for (int k = 0; k < 3; ++k) result[k] = normal * inward[k] + speed * direction[k];
+  return result;
+}
+
 double distance(const DriveFace& face, const Vec& x) {
   return dot(from_to(face.origin, x), face.inward);
 }
@@ -117,9 +128,10 @@ void FixDrive::note_exits() {
 Vec FixDrive::raft_velocity(int r, const Vec& at) const {
   const Raft& raft = rafts_[static_cast<std::size_t>(r)];
   const DriveFace& face = faces_[static_cast<std::size_t>(raft.face)];
-  const Vec way = place_on(face, at).way;
+  const PlaceOnFace place = place_on(face, at);
+  const double along = raft.drive.slide * place.pace;
   Vec v;
-  for (int k = 0; k < 3; ++k) v[k] = raft.velocity * face.inward[k] + raft.drive.slide * way[k];
+  for (int k = 0; k < 3; ++k) v[k] = raft.velocity * face.inward[k] + along * place.direction[k];
   return v;
 }
 
@@ -162,9 +174,9 @@ void FixDrive::release(int i) {
   const Raft& raft = rafts_[static_cast<std::size_t>(raft_[i])];
   const DriveFace& face = faces_[static_cast<std::size_t>(raft.face)];
   raft_[i] = free_grain;
-  const Vec way = place_on(face, vec(atom->x[i])).way;
+  const Vec direction = place_on(face, vec(atom->x[i])).direction;
   Vec freed;
-  for (int k = 0; k < 3; ++k) freed[k] = atom->v[i][k] + (raft.drive.along - raft.drive.slide) * way[k];
+  for (int k = 0; k < 3; ++k) freed[k] = raft.velocity * face.inward[k] + raft.drive.along * direction[k];
   add_jump(atom->rmass[i], vec(atom->v[i]), freed);
   std::copy(freed.begin(), freed.end(), atom->v[i]);
 }
@@ -219,12 +231,13 @@ bool FixDrive::strip_velocity(const double* x, Vec& velocity) const {
     const DriveFace& face = faces_[f];
     const double d = distance(face, vec(x));
     if (d < -face.strip_end || d > -face.strip_begin) continue;
-    const double s = place_on(face, vec(x)).along;
+    const PlaceOnFace place = place_on(face, vec(x));
+    const double s = place.along;
     if (s < -edge_ || s > face.segments * face.segment_width + edge_) continue;
     const int segment = segment_at(face, s);
     const SegmentDrive& drive = rafts_[static_cast<std::size_t>(raft_of(static_cast<int>(f), segment))].drive;
     if (!drive.exit_active) continue;
-    velocity = drive.exit_velocity;
+    velocity = face.bend.length == 0 ? drive.exit_velocity : turned(drive.exit_velocity, face.inward, place.direction);
     return true;
   }
   return false;

@@ -60,6 +60,8 @@ TEST(Switches, LeaveTheTermOut) {
   EXPECT_EQ(as_run(off("chiou_wall", "rolling_friction")).material.grain.rolling_friction, 0);
   EXPECT_EQ(as_run(off("chiou_wall", "rotation_control", {{"grains.rotation", "blocked"}})).grains.rotation, "free");
   const Scene s = off("chiou_wall", "basal_friction");
+  EXPECT_EQ(as_run(s).material.grain.base_friction, 0) << "the bed brakes neither of the two models";
+  EXPECT_GT(as_run(off("chiou_wall", "basal_friction", {{"mode", "grains"}})).material.grain.base_friction, 0);
   EXPECT_EQ(effect(s, "curvature").reason, "it is a part of the friction, which is switched off by hand");
   EXPECT_EQ(effect(s, "earth_pressure").reason, effect(experiment("chiou_wall"), "earth_pressure").reason);
 }

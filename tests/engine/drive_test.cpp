@@ -221,14 +221,20 @@ TEST_P(Raft, TurnsWithItsFaceBesideAnArc) {
   EXPECT_NEAR(-from_end[0] * std::sin(turn) + from_end[2] * std::cos(turn), high, 1e-3 * arm);
   EXPECT_NEAR(a.grains.vz[0], slide * std::sin(turn), 1e-12);
 
-  request = steps(1);  // and what is let go there goes on that way
-  request.drives = {{{0, 0.1, 0.1, 0.05, 0, false, {}, slide}}};
+  // What is let go goes on along the bed, as fast as it is told at any height: one here, another on the arc.
+  request = steps(1);
+  const double there = 0.4 * turn, along = 0.05;
+  request.insert = {{2, {arm * std::sin(there), -0.01 * d, radius - arm * std::cos(there)}, {0, 0, 0}, 0.5 * d, 0, 0}};
+  request.drives = {{{0, 0.1, 0.1, along, 0, false, {}, slide}}};
   engine.advance(request);
   a = engine.advance(steps(int(1.2 * d / 0.1 / setup.timestep)));
   EXPECT_FALSE(a.grains.driven[0]);
-  EXPECT_NEAR(a.grains.vx[0], 0.05 * std::cos(turn), 1e-12);
-  EXPECT_NEAR(a.grains.vz[0], 0.05 * std::sin(turn), 1e-12);
+  EXPECT_NEAR(a.grains.vx[0], along * std::cos(turn), 1e-12);
+  EXPECT_NEAR(a.grains.vz[0], along * std::sin(turn), 1e-12);
   EXPECT_NEAR(a.grains.vy[0], 0.1, 1e-12);
+  EXPECT_FALSE(a.grains.driven[1]);
+  EXPECT_NEAR(std::hypot(a.grains.vx[1], a.grains.vz[1]), along, 1e-12);
+  EXPECT_NEAR(std::atan2(a.grains.vz[1], a.grains.vx[1]), there, 0.02);
 }
 
 // Grains stand jammed between the face and a wall: a raft with a finite push must stop, one with imposed velocity would not.

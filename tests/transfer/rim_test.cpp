@@ -89,7 +89,7 @@ TEST(Rim, APlaceIsWhereItsDistanceAndItsCellSay) {
 }
 
 // What the engine knows of a face is what the exchange knows.
-TEST(Rim, TheEngineFindsPlaceAndWayAlongAFaceBesideAnArc) {
+TEST(Rim, TheEngineFindsPlaceAndDirectionAlongAFaceBesideAnArc) {
   const auto surface = ReferenceSurface::chute(0.8, 0.3, 0.4, 0.3);
   const double radius = 0.4 / 0.8;
   // Over both ends of the arc, from within it, on the incline, on the run-out.
@@ -102,10 +102,10 @@ TEST(Rim, TheEngineFindsPlaceAndWayAlongAFaceBesideAnArc) {
           const PlaceOnFace at = place_on(face.drive, face.place(-0.004, along, height));
           const double x = face.x0 + (face.axis() == 0 ? -0.004 * face.sign() : along);
           const bool on_arc = x > 0.3 && x < 0.7;
-          const Vec way = face.direction(along);
+          const Vec direction = face.direction(along);
           EXPECT_NEAR(at.along, along, 1e-12);
-          for (int k = 0; k < 3; ++k)
-            EXPECT_NEAR(at.way[k], way[k] * (face.axis() == 1 && on_arc ? 1 - height / radius : 1), 1e-12);
+          for (int k = 0; k < 3; ++k) EXPECT_NEAR(at.direction[k], direction[k], 1e-12);
+          EXPECT_NEAR(at.pace, face.axis() == 1 && on_arc ? 1 - height / radius : 1, 1e-12);
         }
   }
 }

@@ -47,20 +47,21 @@ class Raft:
     def distance(self, position):
         return (position - self.origin).dot(self.inward)
 
-    def ways(self, members):
-        """Which way along the face leads for each."""
+    def directions(self, members):
+        """For each: the direction along the face, and how fast a layer that slides at 1 moves there."""
         if not self.bends or not members:
-            return [self.along] * len(members)
-        return [Vector3(*v) for v in faces_.way(self.face, [m.state.pos for m in members]).tolist()]
+            return [(self.along, 1.0)] * len(members)
+        directions, paces = faces_.courses(self.face, [m.state.pos for m in members])
+        return [(Vector3(*v), pace) for v, pace in zip(directions.tolist(), paces.tolist())]
 
     def segments(self, members):
         """The segment of its face where each is."""
         s = faces_.place_along(self.face, [m.state.pos for m in members])
         return np.clip(np.floor(s / self.face.segment_width).astype(int), 0, self.face.segments - 1).tolist()
 
-    def course(self, way):
-        """The velocity of its grain where `way` leads along the face."""
-        return self.velocity * self.inward + self.drive.slide * way
+    def course(self, direction, pace=1.0):
+        """The velocity of its grain there."""
+        return self.velocity * self.inward + self.drive.slide * pace * direction
 
     def steer(self):
         """After the course has changed."""
@@ -68,7 +69,7 @@ class Raft:
             self.mover.translationAxis, self.mover.velocity = self.inward, self.velocity
             return
         course = self.course(self.along)
-        speed = course.norm()
+        speed = course.norm() or 1.0
         self.mover.translationAxis, self.mover.velocity = course / speed, speed
 
     def settle_members(self):
@@ -203,7 +204,7 @@ class Drive:
         """A new grain of a raft; velocity: as it was given."""
         member.state.blockedDOFs = FIXED
         member.key = raft.distance(member.state.pos) - raft.travel
-        course = raft.course(raft.ways([member])[0])
+        course = raft.course(*raft.directions([member])[0])
         self._jump = self._jump + member.mass * (course - velocity)
         if raft.bends:
             member.state.vel = course
@@ -274,8 +275,8 @@ class Drive:
         raft.steer()
 
     def _turn(self, raft):
-        for m, way in zip(raft.members, raft.ways(raft.members)):
-            course = raft.course(way)
+        for m, there in zip(raft.members, raft.directions(raft.members)):
+            course = raft.course(*there)
             self._jump = self._jump + m.mass * (course - m.state.vel)
             m.state.vel = course
 
@@ -286,9 +287,9 @@ class Drive:
 
     def _release_last(self, raft):
         m = raft.members.pop()
-        way, = raft.ways([m])
-        was = Vector3(m.state.vel) if raft.bends else raft.course(way)
-        m.state.vel = raft.velocity * raft.inward + raft.drive.along * way
+        direction, _ = raft.directions([m])[0]
+        was = Vector3(m.state.vel) if raft.bends else raft.course(direction)
+        m.state.vel = raft.velocity * raft.inward + raft.drive.along * direction
         m.state.blockedDOFs = self._free
         self._jump = self._jump + m.mass * (m.state.vel - was)
 
@@ -312,7 +313,9 @@ class Drive:
                 del self.held[m.id]
                 changed = True
                 continue
-            velocity = Vector3(*self.rafts[raft_of[row]].drive.exit_velocity)
+            raft = self.rafts[raft_of[row]]
+            leaving = np.array(raft.drive.exit_velocity)
+            velocity = Vector3(*(faces_.turned(raft.face, leaving, position[row])[0] if raft.bends else leaving).tolist())
             if m.id not in self.held:
                 m.state.blockedDOFs = FIXED
                 m.state.angVel = Vector3.Zero

@@ -7,15 +7,24 @@ def place_along(face, positions):
     return _on(face, positions)[0]
 
 
-def way(face, positions):
-    """[n, 3] the velocity there of a layer that moves along at 1."""
-    return _on(face, positions)[1]
+def courses(face, positions):
+    """[n, 3] the direction along the bed there, and [n] how fast a layer that slides along the bed at 1 moves there."""
+    return _on(face, positions)[1:]
+
+
+def turned(face, velocity, positions):
+    """[n, 3] what a velocity has along the face, in the direction that the face has at each position."""
+    normal = velocity @ face.inward
+    along = velocity - normal * face.inward
+    direction = _on(face, positions)[1]
+    speed = np.copysign(np.linalg.norm(along), direction @ along)
+    return normal * face.inward + speed[:, None] * direction
 
 
 def _on(face, positions):
     positions, bend = np.asarray(positions, float).reshape(-1, 3), face.bend
     if bend.length == 0:
-        return (positions - face.origin) @ face.along, np.broadcast_to(face.along, positions.shape)
+        return (positions - face.origin) @ face.along, np.broadcast_to(face.along, positions.shape), np.ones(len(positions))
     down = bend.foot - bend.centre
     radius = np.linalg.norm(down)
     down, arm = down / radius, positions - bend.centre
@@ -25,5 +34,6 @@ def _on(face, positions):
     before, on_arc = ahead <= 0, turned < whole
     place = np.select([before, on_arc], [bend.begin + ahead, bend.begin + turned * radius],
                       bend.begin + bend.length + c * ahead - s * below)
-    on, off = np.select([before, on_arc], [1.0, below / radius], c), np.select([before, on_arc], [0.0, -ahead / radius], -s)
-    return place, on[:, None] * face.along + off[:, None] * down
+    reach = np.hypot(ahead, below)
+    on, off = np.select([before, on_arc], [1.0, below / reach], c), np.select([before, on_arc], [0.0, -ahead / reach], -s)
+    return place, on[:, None] * face.along + off[:, None] * down, np.select([before, on_arc], [1.0, reach / radius], 1.0)
