@@ -43,7 +43,8 @@ int resume(ResumeVerb& verb) {
   }
   if (!CheckpointFolder::holds_one(checkpoints)) {
     throw SceneError(
-        fmt::format("{}: this run has no checkpoint: it ended before its first window; run it anew: couloir run {} --out ANOTHER",
+        fmt::format("{}: this run has no checkpoint: it ended before its first window, or its folder checkpoint was taken away; "
+                    "run it anew: couloir run {} --out ANOTHER",
                     verb.run, folder.file("scene.yaml")));
   }
   const Ranks ranks = verb.ranks_for(scene);
