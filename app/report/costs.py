@@ -68,7 +68,9 @@ def shares(all_costs, names, path):
     axes.set_xlim(0, 100)
     axes.set_xlabel("share of the processor time [%]")
     axes.grid(axis="y", visible=False)
-    figure.legend(loc="outside lower center", ncols=4, fontsize=8.5)
+    room = 0.95 / figure.get_figheight()  # [in] three lines of the legend
+    figure.get_layout_engine().set(rect=(0, room, 1, 1 - room))
+    figure.legend(loc="lower center", ncols=4, fontsize=8.5)
     return style.save(figure, path)
 
 

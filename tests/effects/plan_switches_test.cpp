@@ -33,7 +33,7 @@ TEST(Switches, HaveTheNamesOfTheEffects) {
 
 TEST(Switches, LeaveThePlanAloneWhereItHasTheEffectOff) {
   for (const char* mode : {"continuum", "coupled", "grains"}) {
-    for (const char* name : {"chiou_wall", "null_zone"}) {
+    for (const char* name : {"chiou_wall", "slit_and_pillars"}) {
       const Scene scene = experiment(name, {{"mode", mode}});
       const nlohmann::json plan = plan_json(make_plan(scene));
       for (const Effect& e : effects_of(scene))
