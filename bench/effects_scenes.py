@@ -92,6 +92,7 @@ def main():
     parser.add_argument("names", nargs="*", help="scenes; none: all")
     parser.add_argument("--rounds", type=int, default=5, help="runs with and without each term")
     parser.add_argument("--picture", type=pathlib.Path)
+    parser.add_argument("--json", type=pathlib.Path, help="costs of each scene, as its summary has them")
     arguments = parser.parse_args()
     unknown = set(arguments.names) - {s[0] for s in SCENES}
     if unknown:
@@ -104,6 +105,8 @@ def main():
         print_scene(name, scene, settings, summary, terms)
         sys.stdout.flush()
         found.append(summary["costs"])
+    if arguments.json:
+        arguments.json.write_text(json.dumps(dict(zip([s[0] for s in chosen], found)), indent=1) + "\n")
     if arguments.picture:
         costs.shares(found, [s[0] for s in chosen], arguments.picture)
     return 0

@@ -16,6 +16,8 @@ OTHERS = {"records": ("#4A5056", ""), "ledgers": ("#8D9399", ""), "set_up": ("#B
 WORDS = {"steps_of_the_bed": "steps of the bed", "earth_pressure": "earth pressure: K", "basal_friction": "friction: rest, shocks",
          "grain_engine": "grain engine", "coupling": "coupling", "ledgers": "ledgers, forces", "set_up": "set-up, rest"}
 LABELLED = 0.04  # shares from here on carry their number
+SEEN = 0.005  # smaller ones go with the rest
+COLUMNS = 4  # of the legend
 
 
 def grouped(costs):
@@ -49,15 +51,22 @@ def shares(all_costs, names, path):
     rows = [grouped(c) for c in all_costs]
     if not any(rows):
         return None
-    figure, axes = plt.subplots(figsize=(style.WIDTH, 1.75 + 0.42 * len(rows)), layout="constrained")
+    rest = WORDS["set_up"]
+    for label in set().union(*rows) - {rest}:  # what would not be seen in any bar
+        if max(row.get(label, 0.0) for row in rows) < SEEN:
+            for row in rows:
+                row[rest] = row.get(rest, 0.0) + row.pop(label, 0.0)
+    labels = [label for label in looks() if any(row.get(label, 0.0) > 0 for row in rows)]
+    heights = [0.42 * len(rows) + 0.6, 0.22 * -(-len(labels) // COLUMNS)]
+    figure, (axes, below) = plt.subplots(2, 1, figsize=(style.WIDTH, sum(heights) + 0.3), height_ratios=heights, layout="constrained")
     left = [0.0] * len(rows)
     for label, (colour, hatch) in looks().items():
-        widths = [100 * row.get(label, 0.0) for row in rows]
-        if max(widths) < 0.05:
+        if label not in labels:
             continue
+        widths = [100 * row.get(label, 0.0) for row in rows]
         bars = axes.barh(range(len(rows)), widths, left=left, height=0.72, color=colour, hatch=hatch, edgecolor="white",
                          linewidth=0.5, label=label)
-        dark = sum(int(colour[k:k + 2], 16) for k in (1, 3, 5)) < 330
+        dark = sum(w * int(colour[k:k + 2], 16) for w, k in ((0.3, 1), (0.59, 3), (0.11, 5))) < 125  # luma
         for k, bar in enumerate(bars):
             if widths[k] >= 100 * LABELLED:
                 axes.text(left[k] + widths[k] / 2, bar.get_y() + bar.get_height() / 2, f"{widths[k]:.0f}", ha="center", va="center",
@@ -68,9 +77,8 @@ def shares(all_costs, names, path):
     axes.set_xlim(0, 100)
     axes.set_xlabel("share of the processor time [%]")
     axes.grid(axis="y", visible=False)
-    room = 0.95 / figure.get_figheight()  # [in] three lines of the legend
-    figure.get_layout_engine().set(rect=(0, room, 1, 1 - room))
-    figure.legend(loc="lower center", ncols=4, fontsize=8.5)
+    below.axis("off")
+    below.legend(*axes.get_legend_handles_labels(), loc="upper center", ncols=COLUMNS, fontsize=8.5)
     return style.save(figure, path)
 
 

@@ -34,6 +34,11 @@ const std::map<std::string, std::string>& remedies() {
 
 Scene as_run(const Scene& asked) {
   Scene scene = asked;
+  if (asked.left_out.empty()) return scene;
+  // What is off anyway must not be touched: even what nobody asks for may be a part of some key (a packing's name).
+  scene.left_out.clear();
+  for (const Effect& e : called_for(asked))
+    if (e.on && asked.leaves_out(e.name)) scene.left_out.push_back(e.name);
   if (scene.leaves_out("refinement")) scene.continuum.refine.clear(), scene.continuum.adapt.levels = 0;
   if (scene.leaves_out("earth_pressure")) scene.continuum.closure = "hydraulic";
   if (scene.leaves_out("curvature")) scene.continuum.curvature = "off";

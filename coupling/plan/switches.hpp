@@ -9,8 +9,8 @@
 
 namespace couloir {
 
-// The scene as it runs: without what it leaves out. Friction and flights have no key of their own: closure_of() and FlowSide ask
-// Scene::leaves_out().
+// The scene as it runs: without what it calls for and leaves out; left_out names that alone. Friction and flights have no key of
+// their own: closure_of() and FlowSide ask Scene::leaves_out().
 Scene as_run(const Scene&);
 
 // A whole sentence for each effect that is switched off by hand although the scene calls for it. Throws SceneError where it

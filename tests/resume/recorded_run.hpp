@@ -55,6 +55,7 @@ struct RecordedRun {
     all["continuum"].erase("cell_updates_per_second");
     all["grains"].erase("particle_steps_per_second");
     all.erase("resumed");
+    all.erase("costs");
     return all;
   }
 };
