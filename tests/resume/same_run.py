@@ -30,7 +30,7 @@ def figures(path):
     for key in ("wall", "cpu", "cpu_continuum", "cpu_engine", "cpu_coupling", "share_continuum", "share_engine", "share_coupling"):
         del summary["time"][key]
     del summary["continuum"]["cell_updates_per_second"], summary["grains"]["particle_steps_per_second"]
-    summary.pop("resumed")
+    summary.pop("resumed"), summary.pop("costs")
     return summary
 
 
