@@ -68,10 +68,25 @@ def terms_of(scene, settings, summary, rounds):
     return {name: 1 - least[name] / least[""] for name in on}
 
 
-def print_scene(name, scene, settings, summary, terms):
+def by_effect(all_costs):
     own = {}
-    for c in summary["costs"]:
+    for c in all_costs:
         own[c["effect"]] = own.get(c["effect"], 0) + c["share"]
+    return own
+
+
+def print_shares(names, found):
+    """All scenes in one table; found: costs of each."""
+    shares = [by_effect(f) for f in found]
+    effects = [e for e in dict.fromkeys(e for s in shares for e in s) if e and max(s.get(e, 0) for s in shares) >= costs.SEEN]
+    print(f"\n| share [%] | {' | '.join(e.replace('_', ' ') for e in effects)} | none |\n| --- |{' --- |' * (len(effects) + 1)}")
+    for name, s in zip(names, shares):
+        cells = [f"{100 * s[e]:.1f}" if s.get(e, 0) >= 0.0005 else "" for e in [*effects, None]]
+        print(f"| {name} | {' | '.join(cells)} |")
+
+
+def print_scene(name, scene, settings, summary, terms):
+    own = by_effect(summary["costs"])
     words = " ".join(f"--set '{s}'" if " " in s or "{" in s else f"--set {s}" for s in settings)
     print(f"\n### {name[0].upper() + name[1:]}\n\n    ./couloir run {scene} {words}".rstrip())
     rate = summary["continuum"]["cell_updates_per_second"]
@@ -105,6 +120,7 @@ def main():
         print_scene(name, scene, settings, summary, terms)
         sys.stdout.flush()
         found.append(summary["costs"])
+    print_shares([s[0] for s in chosen], found)
     if arguments.json:
         arguments.json.write_text(json.dumps(dict(zip([s[0] for s in chosen], found)), indent=1) + "\n")
     if arguments.picture:
