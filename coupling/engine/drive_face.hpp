@@ -15,6 +15,11 @@ inline Vec from_to(const Vec& a, const Vec& b) {
   return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 }
 
+// [m] of a point from the face's plane, along its inward normal.
+inline double distance(const DriveFace& face, const Vec& point) {
+  return dot(from_to(face.origin, point), face.inward);
+}
+
 struct PlaceOnFace {
   double along;   // [m] from the face's low end, measured on the bed
   Vec direction;  // unit, along the bed

@@ -39,6 +39,12 @@ struct EngineSurface {
   double rolling_friction = 0.15;
 };
 
+// Of a face that lies beside an arc: its edge on the bed goes straight, along the arc, and straight on.
+struct Bend {
+  double begin = 0, length = 0;  // [m] along the face, begin of any sign; length 0: straight
+  Vec foot{}, centre{};          // of the arc: where it begins on the bed, a point of its axis, which is along `inward`
+};
+
 // A rim face of the zone, through which grains enter in a driven layer and leave.
 //
 //          exit strip          driven layer |  zone
@@ -48,11 +54,6 @@ struct EngineSurface {
 // Grains inserted with segment >= 0 are driven: each segment's grains move as one raft (velocity below) until their centre has
 // passed the plane (distance >= 0); then they are free for good. In the strip, free grains move with the given exit velocity
 // where the segment's exit is active.
-struct Bend {
-  double begin = 0, length = 0;  // [m] along the face, begin of any sign; length 0: straight
-  Vec foot{}, centre{};          // of the arc: where it begins on the bed, a point of its axis, which is along `inward`
-};
-
 struct DriveFace {
   Vec origin{};              // a point of the plane: low end along `along`
   Vec inward{};              // unit normal, into the zone

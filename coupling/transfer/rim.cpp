@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/engine/drive_face.hpp"
+
 namespace couloir {
 namespace {
 
 Vec to_vec(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
-}
-
-double dot_offset(const Vec& p, const Vec& origin, const Vec& direction) {
-  return (p[0] - origin[0]) * direction[0] + (p[1] - origin[1]) * direction[1] + (p[2] - origin[2]) * direction[2];
 }
 
 // Of the edge of a lateral face from x0 to x1 [m].
@@ -25,7 +23,7 @@ Bend bend_of(const ReferenceSurface& surface, double x0, double x1, double y) {
 }  // namespace
 
 double RimFace::distance(const Vec& p) const {
-  return dot_offset(p, drive.origin, drive.inward);
+  return couloir::distance(drive, p);
 }
 // A lateral face follows the surface: across an arc the chord is shorter, and a grain's height above the bed would count.
 double RimFace::along(const Vec& p) const {

@@ -21,10 +21,6 @@ Vec turned(const Vec& velocity, const Vec& inward, const Vec& direction) {
   return result;
 }
 
-double distance(const DriveFace& face, const Vec& x) {
-  return dot(from_to(face.origin, x), face.inward);
-}
-
 }  // namespace
 
 FixDrive::FixDrive(LAMMPS_NS::LAMMPS* lmp, int n, char** words) : Fix(lmp, n, words) {

@@ -1,5 +1,9 @@
 #include "coupling/workers/fix_zone_force.hpp"
 
+#include <algorithm>
+
+#include "coupling/engine/drive_face.hpp"
+
 namespace couloir {
 
 FixZoneForce::FixZoneForce(LAMMPS_NS::LAMMPS* lmp, int n, char** words) : Fix(lmp, n, words) {
@@ -35,12 +39,7 @@ void FixZoneForce::act() {
 }
 
 bool FixZoneForce::inside(const double* x) const {
-  for (const DriveFace& face : *faces_) {
-    double distance = 0;
-    for (int k = 0; k < 3; ++k) distance += (x[k] - face.origin[k]) * face.inward[k];
-    if (distance < 0) return false;
-  }
-  return true;
+  return std::ranges::none_of(*faces_, [&](const DriveFace& face) { return distance(face, {x[0], x[1], x[2]}) < 0; });
 }
 
 void FixZoneForce::begin_window() {
