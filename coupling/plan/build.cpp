@@ -90,8 +90,7 @@ Closure closure_of(const Scene& scene) {
   closure.earth_pressure = scene.continuum.closure == "hydraulic" || scene.mode == Mode::grains
                                ? EarthPressure::hydraulic()
                                : EarthPressure::active_passive(scene.material.phi, scene.material.delta);
-  const bool smooth = scene.leaves_out("basal_friction") && scene.mode != Mode::grains;  // there it is off already
-  closure.tan_delta = smooth ? 0 : std::tan(scene.material.delta);
+  closure.tan_delta = scene.leaves_out("basal_friction") ? 0 : std::tan(scene.material.delta);
   const TerrainSpec& t = scene.terrain;
   const bool curved = t.kind == TerrainSpec::Kind::chute && t.arc > 0 && t.angle > 0;
   closure.curvature = curved && closure.tan_delta > 0 && scene.continuum.curvature != "off";

@@ -43,8 +43,7 @@ Scene as_run(const Scene& asked) {
   if (scene.leaves_out("earth_pressure")) scene.continuum.closure = "hydraulic";
   if (scene.leaves_out("curvature")) scene.continuum.curvature = "off";
   GrainMaterial& grain = scene.material.grain;
-  // In mode grains it is off: there the bed brakes as grains do.
-  if (scene.leaves_out("basal_friction") && scene.mode == Mode::coupled) grain.base_friction = 0;
+  if (scene.leaves_out("basal_friction")) grain.base_friction = 0;
   if (scene.leaves_out("rolling_friction")) grain.rolling_friction = grain.base_rolling_friction = 0;
   if (scene.leaves_out("rotation_control")) scene.grains.rotation = "free";
   if (scene.leaves_out("side_friction")) grain.side_friction = 0;
