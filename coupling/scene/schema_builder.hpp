@@ -1,6 +1,7 @@
 #pragma once
 // Short words with which schema.cpp writes its table.
 
+#include <numbers>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -10,6 +11,8 @@
 #include "coupling/scene/schema.hpp"
 
 namespace couloir::schema_builder {
+
+inline constexpr double deg = std::numbers::pi / 180;
 
 class KeyBuilder {
  public:
@@ -184,6 +187,7 @@ KeyBuilder choice(const std::string& path, const std::string& help, const std::v
 
 void add_continuum(Keys&);                                            // schema_continuum.cpp
 void add_grains(Keys&);                                               // schema_grains.cpp
+void add_obstacles(Keys&);                                            // schema_obstacles.cpp
 void add_grain_material(Keys&, const std::string& prefix, Presence);  // schema_grains.cpp
 
 }  // namespace couloir::schema_builder
