@@ -9,6 +9,7 @@
 
 #include "coupling/cases/scatter.hpp"
 #include "coupling/records/provenance.hpp"
+#include "coupling/study/ladder_reader.hpp"
 #include "coupling/study/likeness.hpp"
 #include "coupling/study/study_text.hpp"
 
@@ -50,8 +51,9 @@ void mark_front(std::vector<RungFigures>& rungs, const std::vector<RungCost>& co
   }
 }
 
-// Whether `fine` is `coarse` but for smaller cells or grains.
+// Whether `fine` is `coarse` but for smaller cells or grains. All cells are finer than a mass point.
 bool finer(const Rung& fine, const Rung& coarse) {
+  if (coarse.mode == mass_point_mode) return fine.mode == to_string(Mode::continuum);
   const auto rest = [](const Rung& rung) {
     std::map<std::string, std::string> out(rung.set.begin(), rung.set.end());
     for (const char* size : {"continuum.cell", "grains.diameter"}) out.erase(size);

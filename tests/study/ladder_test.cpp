@@ -108,6 +108,21 @@ TEST(Ladder, ARungThatIsRightByChanceIsNotTaken) {
   EXPECT_EQ(ladder_figures(study, results)[0].rungs[0].step, 0);
 }
 
+// Its force is right by chance where the flow that it leaves out has another.
+TEST(Ladder, AMassPointIsHeldAgainstTheCoarsestCells) {
+  Study study = made_up();
+  Ladder& ladder = *study.ladder;
+  ladder.reference = -1;
+  ladder.values = {{100, "exact"}};
+  ladder.rungs[0] = {"point", "mass point", {}, NAN, NAN, 1};
+  ladder.rungs[1] = {"fine", "continuum", {{"continuum.cell", "10 mm"}}, 8, NAN, 1};
+  ladder.rungs[2] = {"coarse", "continuum", {{"continuum.cell", "20 mm"}}, 4, NAN, 1};
+  const auto results = results_of({101, 101, 104, 130, 130}, {1, 1, 2, 4, 4});
+  const LadderFigures f = ladder_figures(study, results)[0];
+  EXPECT_DOUBLE_EQ(f.rungs[0].step, 0.29);
+  EXPECT_EQ(choose(0.05, f.rungs, rung_costs(study, results)).rung, 1);
+}
+
 TEST(Ladder, ARungThatFailedHasNoFigures) {
   const Study study = made_up();
   auto results = results_of({9, 15, 11, 8, 12}, {1, 3, 5, 50, 70});
