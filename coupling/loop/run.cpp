@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "coupling/loop/mode_run.hpp"
+#include "coupling/plan/zone.hpp"
 #include "coupling/scene/reader.hpp"
 #include "coupling/scene/scene_error.hpp"
 
@@ -42,7 +43,7 @@ void require_same(const Checkpoint& c, const Scene& scene, const RunOptions& opt
 }  // namespace
 
 RunEnd run_scene(const Scene& scene, const RunOptions& options, const std::vector<Observer*>& observers) {
-  const auto make = scene.mode == Mode::continuum ? continuum_run : scene.mode == Mode::grains ? grains_run : coupled_run;
+  const auto make = scene.mode == Mode::continuum ? continuum_run : has_zones(scene) ? coupled_run : grains_run;
   std::optional<CheckpointFolder> folder;
   if (!options.checkpoints.empty() && options.ranks.first()) {
     folder.emplace(options.checkpoints);

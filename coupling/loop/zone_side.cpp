@@ -27,7 +27,8 @@ ZoneSide::ZoneSide(const Scene& scene, const RunOptions& options, const std::str
   const bool touches[] = {widest.i0 == 0, widest.i1 == grid.nx, widest.j0 == 0, widest.j1 == grid.ny};
   std::array<bool, 4> open{};
   for (int q = 0; q < 4; ++q) open[q] = touches[q] && scene.sides[q].open();
-  along_ = surface.tangent(0.5 * (planned.box.x0 + planned.box.x1));
+  // In mode grains what is exchanged passes its upstream face.
+  along_ = surface.tangent(scene.mode == Mode::grains ? planned.box.x0 : 0.5 * (planned.box.x0 + planned.box.x1));
   grains_->look_along(along_);
   edge_ = std::make_unique<DomainEdge>(open, scene.terrain.total_length(), scene.terrain.width, grains_->table().grain_density(),
                                        along_);

@@ -35,6 +35,7 @@ struct Listing {
   std::string mode = fmt::format("mode is {}", to_string(s.mode));
 
   Effect depth_averaged_flow() const {
+    if (!continuum && s.fed()) return {"depth_averaged_flow", true, mode + ": on the strip that brings the inflow, nowhere else"};
     return {"depth_averaged_flow", continuum, continuum ? mode : mode + ": grains carry the whole flow"};
   }
 
@@ -180,7 +181,9 @@ struct Listing {
       all.push_back(fmt::format("{}: {} deep at {:.6g} m/s{}", sides[side], len(q.depth), q.velocity, how));
     }
     if (all.empty()) return {"inflow", false, "no side of the domain is an inflow"};
-    return {"inflow", true, fmt::format("{}", fmt::join(all, "; "))};
+    const char* strip =
+        s.mode == Mode::grains ? "; a shallow flow on a strip along that side, four cells or more, then grains" : "";
+    return {"inflow", true, fmt::format("{}{}", fmt::join(all, "; "), strip)};
   }
 
   Effect periodic() const {
@@ -237,6 +240,7 @@ struct Listing {
   }
 
   Effect coupling() const {
+    if (!continuum && s.fed()) return {"coupling", true, mode + ": the strip that brings the inflow hands it to the grains"};
     if (!coupled) return {"coupling", false, mode + ": one model alone"};
     return {"coupling", true,
             s.grains.zone ? "mode is coupled, with the zone that the scene gives"

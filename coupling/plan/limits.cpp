@@ -94,7 +94,14 @@ void check_zone(const Scene& scene, const Plan& plan) {
   for (const PlannedZone& zone : plan.zones)
     for (const ObstacleSpec& o : scene.obstacles) {
       const ZoneBox& z = zone.box;
-      if (z.holds(o) || z.apart(o)) continue;
+      if (z.holds(o)) continue;
+      if (scene.mode == Mode::grains)
+        fail(scene, "obstacles." + o.name,
+             "stands in the strip along a side through which material comes in, where a shallow flow brings it to the grains; "
+             "they "
+             "take over x from {:.6g} to {:.6g} m, y from {:.6g} to {:.6g} m; move it, or use smaller cells",
+             z.x0, z.x1, z.y0, z.y1);
+      if (z.apart(o)) continue;
       fail(scene, "grains.zone",
            "on the mesh's lines is x from {:.6g} to {:.6g} m, y from {:.6g} to {:.6g} m, which cuts through obstacles.{}; widen "
            "it "

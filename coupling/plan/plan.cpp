@@ -35,10 +35,6 @@ std::string len(double value) {
   return short_quantity(value, Dimension::length);
 }
 
-bool fed(const Scene& scene) {
-  return std::ranges::any_of(scene.sides, [](const SideSpec& side) { return side.kind == SideSpec::Kind::inflow; });
-}
-
 // [s] the least step on the way: fastest wave (greatest K) of the release and of the flow downstream.
 double least_step(const Scene& scene, const Grid& grid) {
   const EarthPressure k = closure_of(scene).earth_pressure;
@@ -64,7 +60,7 @@ std::int64_t grains_in(const Scene& scene, double volume) {
 
 double volume_of_all_grains(const Scene& scene) {
   double volume = release_volume(scene);
-  if (fed(scene)) {
+  if (scene.fed()) {
     double deepest_inflow = 0, entered = 0;
     for (const SideSpec& side : scene.sides) {
       deepest_inflow = std::max(deepest_inflow, greatest_inflow(scene, side).depth);
@@ -82,7 +78,7 @@ double volume_in_zone(const Scene& scene, const ZoneBox& zone, const FlowEstimat
   double volume = flow.depth * across * (zone.x1 - zone.x0 + 3 * scene.grains.diameter);
   for (const ObstacleSpec& o : scene.obstacles)
     if (!zone.apart(o)) volume += 0.75 * o.height * o.height * o.width;
-  return fed(scene) ? volume : std::min(volume, release_volume(scene));
+  return scene.fed() ? volume : std::min(volume, release_volume(scene));
 }
 
 // An obstacle that the flow will not meet is seldom meant.
@@ -296,13 +292,15 @@ Plan make_plan(const Scene& asked) {
   }
 
   plan.shallow = shallow_verdicts(scene);
-  if (scene.mode == Mode::coupled) plan.zones = planned_zones(scene);
+  if (has_zones(scene)) plan.zones = planned_zones(scene);
   const bool zone_known = scene.continuum.cell > 0 && (scene.grains.zone || !scene.obstacles.empty());
   if (scene.grains.diameter > 0) {
     plan.grains[static_cast<std::size_t>(Mode::grains)] = grains_in(scene, volume_of_all_grains(scene));
     if (zone_known) {
       double volume = 0;
-      for (const PlannedZone& zone : planned_zones(scene)) volume += volume_in_zone(scene, zone.box, plan.at_obstacle);
+      Scene coupled = scene;
+      coupled.mode = Mode::coupled;
+      for (const PlannedZone& zone : planned_zones(coupled)) volume += volume_in_zone(scene, zone.box, plan.at_obstacle);
       plan.grains[static_cast<std::size_t>(Mode::coupled)] = grains_in(scene, volume);
     }
   }
@@ -311,7 +309,7 @@ Plan make_plan(const Scene& asked) {
     const auto count = static_cast<double>(plan.grains[static_cast<std::size_t>(scene.mode)]);
     plan.engine_dt = engine_timestep(scene, expected_grain_density(scene));
     // Coupled: no engine before the flow nears the zone.
-    const double idle = !plan.zones.empty() && !fed(scene) ? flow_estimate_at(scene, plan.zones.front().box.x0).time / 2 : 0;
+    const double idle = !plan.zones.empty() && !scene.fed() ? flow_estimate_at(scene, plan.zones.front().box.x0).time / 2 : 0;
     plan.engine_steps = whole(std::max(0.0, scene.duration - idle) / plan.engine_dt);
     plan.memory += bytes_of_engine * scene.grains.ranks + bytes_per_grain * count;
     const double rate = scene.grains.engine == "yade" ? yade_per_second : liggghts_per_second;

@@ -34,6 +34,12 @@ const std::map<std::string, std::string>& remedies() {
 
 Scene as_run(const Scene& asked) {
   Scene scene = asked;
+  if (asked.mode == Mode::grains) {  // an inflow's strip of cells is all that there may be of the continuum
+    scene.continuum.scheme = ContinuumSpec().scheme;
+    scene.continuum.limiter = ContinuumSpec().limiter;
+    scene.continuum.refine.clear(), scene.continuum.adapt.levels = 0;
+    scene.grains.follow = false;
+  }
   if (asked.left_out.empty()) return scene;
   // What is off anyway must not be touched: even what nobody asks for may be a part of some key (a packing's name).
   scene.left_out.clear();

@@ -125,9 +125,29 @@ std::vector<PlannedZone> automatic(const Scene& scene) {
   return zones;
 }
 
+PlannedZone all_but_inflows(const Scene& scene) {
+  const Grid grid = grid_of(scene);
+  const auto strip = [&](int side, double step) {
+    const int room = static_cast<int>(std::ceil(4 * scene.grains.diameter / step - 1e-9));
+    return scene.sides[static_cast<std::size_t>(side)].kind == SideSpec::Kind::inflow ? std::max(4, room) : 0;
+  };
+  const CellBox cells{strip(0, grid.dx), grid.nx - strip(1, grid.dx), strip(2, grid.dy), grid.ny - strip(3, grid.dy)};
+  if (cells.empty()) {
+    throw SceneError(
+        fmt::format("{}: continuum.cell is {}: the strips of four cells in which an inflow comes to the grains fill the domain; "
+                    "use smaller cells",
+                    scene.places.of("continuum.cell"), len(grid.dx)));
+  }
+  PlannedZone zone = on_cells(
+      cells, grid, "mode is grains: all but the strip in which the inflow, a shallow flow of four cells or more, comes in");
+  zone.lines = {{cells.i0, cells.i1}, {cells.j0, cells.j1}, 0, 0};
+  return zone;
+}
+
 }  // namespace
 
 std::vector<PlannedZone> planned_zones(const Scene& scene) {
+  if (scene.mode == Mode::grains && scene.fed()) return {all_but_inflows(scene)};
   const Grid grid = grid_of(scene);
   std::vector<PlannedZone> zones;
   if (scene.grains.zone) {

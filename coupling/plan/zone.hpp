@@ -24,11 +24,17 @@ struct PlannedZone {
 //         |                  |##|            |     beside = max(0.3 H, 8 d, 4 h)
 //         x0             obstacle            x1    behind = max(0.25 H, 5 d)
 //
-// around those obstacles at which the shallow model fails (validity.hpp), or around all where it fails at none. H obstacle height, d
-// grain diameter, h and Fr of the flow that is expected there (flow_estimate.hpp). It does not reach into a finite release while
-// that leaves 10 d. A side closer to the domain's than 6 d moves onto it. Obstacles whose zones would be nearer than 40 d share
-// one. Throws SceneError where there is neither a box nor an obstacle.
+// around those obstacles at which the shallow model fails (validity.hpp), or around all where it fails at none. H obstacle
+// height, d grain diameter, h and Fr of the flow that is expected there (flow_estimate.hpp). It does not reach into a finite
+// release while that leaves 10 d. A side closer to the domain's than 6 d moves onto it. Obstacles whose zones would be nearer
+// than 40 d share one. Throws SceneError where there is neither a box nor an obstacle.
+//
+// Mode grains with an inflow: the whole domain but a strip along each side through which material comes in. There a shallow flow
+// brings it to the grains: four cells, and room for the driven layer.
 std::vector<PlannedZone> planned_zones(const Scene&);
+inline bool has_zones(const Scene& s) {
+  return s.mode == Mode::coupled || (s.mode == Mode::grains && s.fed());
+}
 
 // Whether some zone holds the whole obstacle; whether all leave it out.
 inline bool any_holds(const std::vector<PlannedZone>& zones, const ObstacleSpec& o) {

@@ -112,12 +112,6 @@ struct Checker {
     if (scene.sides[0].kind == Kind::periodic) {
       fail("boundaries.upstream", "is periodic, which grains are across the slope only; use wall or outflow, or mode: continuum");
     }
-    for (int k = 0; k < 4; ++k) {
-      if (scene.mode == Mode::grains && scene.sides[k].kind == Kind::inflow) {
-        fail(fmt::format("boundaries.{}", names[k]),
-             "is an inflow, which mode grains does not have; use mode coupled, or a release");
-      }
-    }
   }
 
   void inflow(const SideSpec& side, const std::string& key) const {
@@ -142,8 +136,7 @@ struct Checker {
   void release() const {
     const ReleaseSpec& r = scene.release;
     if (r.kind == ReleaseSpec::Kind::none) {
-      if (std::ranges::none_of(scene.sides, [](const SideSpec& side) { return side.kind == SideSpec::Kind::inflow; }))
-        fail("release.kind", "is none, but no side is an inflow: there would be no material; give one of both");
+      if (!scene.fed()) fail("release.kind", "is none, but no side is an inflow: there would be no material; give one of both");
       return;
     }
     if (r.kind == ReleaseSpec::Kind::uniform) return;

@@ -30,8 +30,7 @@ int block_edge(const Scene& scene) {
 
 double wet_area(const Scene& scene) {
   const double all = scene.terrain.total_length() * scene.terrain.width;
-  const bool fed = std::ranges::any_of(scene.sides, [](const SideSpec& side) { return side.kind == SideSpec::Kind::inflow; });
-  if (scene.release.kind == ReleaseSpec::Kind::uniform || fed) return all;
+  if (scene.release.kind == ReleaseSpec::Kind::uniform || scene.fed()) return all;
   const Footprint f = release_footprint(scene);
   return std::min(all, 6 * (f.x1 - f.x0) * (f.y1 - f.y0));
 }

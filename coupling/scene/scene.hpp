@@ -223,6 +223,9 @@ struct Scene {
   std::vector<std::string> left_out;  // effects that the scene switches off by hand
   double duration = 0;                // [s]
   bool leaves_out(const std::string& effect) const { return std::ranges::find(left_out, effect) != left_out.end(); }
+  bool fed() const {  // through some side
+    return std::ranges::any_of(sides, [](const SideSpec& side) { return side.kind == SideSpec::Kind::inflow; });
+  }
 };
 
 inline double checkpoint_interval(const Scene& s) {  // [s]

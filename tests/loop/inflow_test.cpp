@@ -58,6 +58,25 @@ TEST(Inflow, ClosesTheLedgersOfTheCoupledRun) {
   EXPECT_GT(deepest, 0.005) << "the gauge in the zone sees the grains";
 }
 
+// A strip of cells brings it to them.
+TEST(Inflow, FeedsGrainsAlone) {
+  const Scene scene = small_scene("grains", fed({{"duration", "0.3 s"}}));
+  const Watched run = watch(scene, options_in(fresh_folder("inflow_grains")));
+  ASSERT_EQ(run.end.status, "done");
+  expect_closed(run);
+  const WindowReport& last = run.windows.back();
+  const double entered = scene.material.density * scene.terrain.width * inflow_volume(scene, scene.sides[0]);
+  EXPECT_NEAR(last.mass.entered, entered, 1e-9 * entered);
+  EXPECT_GT(last.mass.grains + last.mass.left_domain, 0.9 * entered) << "little stays in the strip";
+  double impulse = 0;
+  for (const WindowReport& w : run.windows) {
+    impulse += w.obstacles[0].force[0] * w.length;
+    ASSERT_LT(w.max_overlap, 0.15) << w.time;
+    EXPECT_LT(std::abs(w.momentum.residual), 0.03 * w.momentum.scale + 1e-15) << w.time;
+  }
+  EXPECT_GT(impulse, 0.01);
+}
+
 // summary.json holds the events.
 TEST(Inflow, ASiloOfGrainsWithoutSizeIsToldAsAnAssumption) {
   const auto told = [](const std::string& material) {

@@ -1,11 +1,14 @@
 #include "coupling/plan/zone.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "coupling/plan/build.hpp"
+#include "coupling/plan/plan.hpp"
+#include "coupling/plan/switches.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "plan_scenes.hpp"
 
@@ -31,6 +34,32 @@ TEST(AutomaticZone, HoldsTheWallWithRoom) {
   EXPECT_LE(z.y0, -0.08 - std::max(0.3 * H, 8 * d) + 1e-9);
   EXPECT_EQ(z.y0, -z.y1);
   EXPECT_GT(z.y0, -0.4) << "not the whole width";
+}
+
+// No key of the continuum has a say: a scheme without zones, cells that follow.
+TEST(ZoneOfGrainsAlone, IsAllButTheStripOfAnInflow) {
+  const Scene s = experiment("chiou_wall", {{"mode", "grains"},
+                                            {"boundaries.upstream", "{inflow: {depth: 0.04 m, velocity: 1 m/s}}"},
+                                            {"continuum.adapt.levels", "2"}});
+  EXPECT_TRUE(has_zones(s));
+  EXPECT_FALSE(has_zones(experiment("chiou_wall", {{"mode", "grains"}})));
+  const PlannedZone zone = the_zone(s);
+  const Grid g = grid_of(s);
+  EXPECT_EQ(zone.cells.i0, std::max(4, int(std::ceil(4 * s.grains.diameter / g.dx))));
+  EXPECT_EQ(zone.cells.i1, g.nx);
+  EXPECT_EQ(zone.cells.j0, 0);
+  EXPECT_EQ(zone.cells.j1, g.ny);
+  EXPECT_EQ(zone.lines.x.size(), 2u) << "it does not grow";
+  EXPECT_EQ(as_run(s).continuum.adapt.levels, 0);
+}
+
+TEST(ZoneOfGrainsAlone, RefusesAnObstacleInTheStrip) {
+  const Scene s = experiment("chiou_wall", {{"mode", "grains"},
+                                            {"release", "{kind: none}"},
+                                            {"boundaries.upstream", "{inflow: {depth: 0.04 m, velocity: 1 m/s}}"},
+                                            {"obstacles.wall.position", "[12 mm, 0]"}});
+  EXPECT_THAT([&] { make_plan(s); },
+              testing::ThrowsMessage<SceneError>(testing::HasSubstr("obstacles.wall stands in the strip along a side")));
 }
 
 TEST(AutomaticZone, LiesOnCellLines) {

@@ -87,6 +87,10 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"coupled_oblique", "coupled", quick({{"release.velocity_across", "0.5 m/s"}, {"duration", "0.16 s"}})},
         Kind{"coupled_yade", "coupled", quick({{"grains.engine", "yade"}, {"duration", "0.1 s"}})},
         Kind{"grains", "grains", quick({{"duration", "50 ms"}, {"record.checkpoint", "2 ms"}})},
+        Kind{"grains_fed", "grains",
+             quick({{"release", "{kind: none}"},
+                    {"boundaries.upstream", "{inflow: {depth: 20 mm, velocity: 1.5 m/s}}"},
+                    {"duration", "0.1 s"}})},
         Kind{"grains_two_ranks", "grains", quick({{"grains.ranks", "2"}, {"duration", "50 ms"}, {"record.checkpoint", "2 ms"}})},
         Kind{"grains_yade", "grains", quick({{"grains.engine", "yade"}, {"duration", "8 ms"}, {"record.checkpoint", "0.5 ms"}})}),
     [](const auto& info) { return std::string(info.param.name); });

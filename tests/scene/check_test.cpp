@@ -107,10 +107,12 @@ TEST_F(Check, UndampedContactsHaveALeastRestitution) {
   };
   EXPECT_EQ(with({}), "");
   EXPECT_EQ(with({{"grains.restitution", "0.22"}}), "");
-  EXPECT_EQ(with({{"grains.restitution", "0.2"}}),
-            "--set grains.tangential_damping: grains.tangential_damping is off where the restitution is 0.2: packings of both engines "
-            "are settled by LIGGGHTS, whose hertz then takes no less than 0.22; raise the restitution, leave tangential_damping out, or "
-            "use grains.contact: kelvin_voigt");
+  EXPECT_EQ(
+      with({{"grains.restitution", "0.2"}}),
+      "--set grains.tangential_damping: grains.tangential_damping is off where the restitution is 0.2: packings of both engines "
+      "are settled by LIGGGHTS, whose hertz then takes no less than 0.22; raise the restitution, leave tangential_damping out, "
+      "or "
+      "use grains.contact: kelvin_voigt");
   EXPECT_EQ(with({{"grains.restitution", "0.2"}, {"grains.contact", "kelvin_voigt"}}), "");
   EXPECT_EQ(error(good_scene, {{"grains.restitution", "0.2"}}), "");
   EXPECT_THAT(error(good_scene, {{"grains.tangential_damping", "0.5"}}), testing::HasSubstr("off, on"));
@@ -151,12 +153,9 @@ TEST_F(Check, ObstacleInTheDomain) {
             "to 2 m, y from -250 mm to 250 mm)");
 }
 
-TEST_F(Check, GrainsHaveNoInflowAndNoPeriodicSlope) {
-  const Overrides inflow = {{"boundaries.upstream", "{inflow: {depth: 20 mm, velocity: 1 m/s}}"}};
-  Overrides grains = inflow;
-  grains.push_back({"mode", "grains"});
-  EXPECT_EQ(error(good_scene, inflow), "");
-  EXPECT_THAT(error(good_scene, grains), testing::HasSubstr("boundaries.upstream is an inflow, which mode grains does not have"));
+TEST_F(Check, GrainsHaveInflowsButNoPeriodicSlope) {
+  for (const char* mode : {"coupled", "grains"})
+    EXPECT_EQ(error(good_scene, {{"boundaries.upstream", "{inflow: {depth: 20 mm, velocity: 1 m/s}}"}, {"mode", mode}}), "");
   EXPECT_THAT(error(good_scene, {{"boundaries.upstream", "periodic"}, {"boundaries.downstream", "periodic"}, {"mode", "grains"}}),
               testing::HasSubstr("boundaries.upstream is periodic"));
 }
