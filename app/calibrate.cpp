@@ -60,6 +60,7 @@ Subject subject_of(const CalibrateVerb& verb) {
   } else {
     s.scene.material = read_material(verb.material, materials_folder());
     s.scene.grains.diameter = s.scene.material.diameter > 0 ? s.scene.material.diameter : usual_diameter;
+    if (double& modulus = s.scene.material.grain.youngs_modulus; modulus == 0) modulus = PackingSpec().youngs_modulus;
   }
   const Material& m = s.scene.material;
   s.name = m.name.empty() ? fs::path(verb.material).stem().string() : m.name;

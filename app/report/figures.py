@@ -250,8 +250,7 @@ def side_view(run, path, count=4):
         a.set_title(f"t = {frame.time:.3f} s" + (f"; {out} higher, up to {heights.max() * MM:.0f} mm" if out else ""))
     for spare in axes.flat[len(frames):]:
         spare.set_visible(False)
-    for a in axes[:, 0]:
-        a.set_ylabel("height [mm]")
+    figure.supylabel("height [mm]", fontsize=10)
     if dots is not None:
         style.colour_bar(figure, axes, dots, "speed of the grains [m/s]")
     return style.save(figure, path)

@@ -20,6 +20,7 @@ import figures
 import spectra
 import stresses
 import style
+import terrain
 from page import cards, effects_table, events_table, figures_table, number, page, picture, section
 from player import player
 from read import MODES, NoRun, Run
@@ -155,6 +156,8 @@ def report_one(run, out):
                                              if any(len(frame.zones) for frame in run.frames) else ".")))
     body += section("The mesh over the flow", picture(figures.mesh_view(run, out / "mesh.png"),
                                                       "Outlines of the blocks: each has as many cells, at each level half as long."))
+    body += section("On the terrain", picture(terrain.picture(run, out / "terrain.png"),
+                                              "The centre line in true proportions; only depths are enlarged, along the normal."))
     body += section("From the side", picture(figures.side_view(run, out / "side.png"),
                                              side_caption(run)))
     body += section("Packings", packings_table(run))

@@ -9,7 +9,7 @@ namespace couloir {
 
 namespace {
 
-constexpr const char* found_keys[] = {"friction", "rolling_friction", "base_friction", "base_rolling_friction"};
+constexpr const char* found_keys[] = {"friction", "rolling_friction", "base_friction", "base_rolling_friction", "youngs_modulus"};
 
 bool starts(const std::string& line, const std::string& word) {
   return line.rfind(word, 0) == 0;
@@ -31,8 +31,10 @@ std::string angle(const CalibratedAngle& a) {
 
 std::string grains_block(const CalibrationRecord& r) {
   return fmt::format(
-      "grains:\n  friction: {:.4g}\n  rolling_friction: {:.4g}\n  base_friction: {:.4g}\n  base_rolling_friction: {:.4g}\n",
-      r.grains.friction, r.grains.rolling_friction, r.grains.base_friction, r.grains.base_rolling_friction);
+      "grains:\n  friction: {:.4g}\n  rolling_friction: {:.4g}\n  base_friction: {:.4g}\n  base_rolling_friction: {:.4g}\n"
+      "  youngs_modulus: {:g} MPa\n",
+      r.grains.friction, r.grains.rolling_friction, r.grains.base_friction, r.grains.base_rolling_friction,
+      1e-6 * r.youngs_modulus);
 }
 
 std::string with_calibration(const std::string& text, const CalibrationRecord& r, const std::string& record_name) {

@@ -6,6 +6,7 @@
 
 #include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/build.hpp"
+#include "coupling/plan/stiffness.hpp"
 #include "coupling/scene/bodies.hpp"
 #include "coupling/scene/inflow.hpp"
 
@@ -52,7 +53,7 @@ EngineSetup material_setup(const Scene& s, const ReferenceSurface& surface, doub
   setup.friction = m.friction;
   setup.rolling_friction = m.rolling_friction;
   setup.restitution = m.restitution;
-  setup.youngs_modulus = m.youngs_modulus;
+  setup.youngs_modulus = youngs_modulus(s);
   setup.poisson_ratio = m.poisson_ratio;
   setup.contact = contact_law(s.grains.contact);
   setup.tangential_damping = s.grains.tangential_damping;
@@ -165,7 +166,7 @@ PackingSpec packing_spec(const Scene& s, double depth) {
   spec.rolling_friction = m.rolling_friction;
   spec.base_rolling_friction = m.base_rolling_friction;
   spec.restitution = m.restitution;
-  spec.youngs_modulus = m.youngs_modulus;
+  spec.youngs_modulus = youngs_modulus(s);
   spec.poisson_ratio = m.poisson_ratio;
   spec.density = expected_grain_density(s);
   spec.contact = contact_law(s.grains.contact);

@@ -8,6 +8,7 @@
 #include "coupling/loop/interrupted.hpp"
 #include "coupling/loop/stress_gauges.hpp"
 #include "coupling/plan/build.hpp"
+#include "coupling/plan/stiffness.hpp"
 
 namespace couloir {
 namespace {

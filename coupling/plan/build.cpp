@@ -5,7 +5,6 @@
 #include <functional>
 #include <numbers>
 
-#include "coupling/engine/contact_law.hpp"
 #include "coupling/scene/depths.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/refine.hpp"
@@ -91,8 +90,7 @@ Closure closure_of(const Scene& scene) {
                                ? EarthPressure::hydraulic()
                                : EarthPressure::active_passive(scene.material.phi, scene.material.delta);
   closure.tan_delta = scene.leaves_out("basal_friction") ? 0 : std::tan(scene.material.delta);
-  const TerrainSpec& t = scene.terrain;
-  const bool curved = t.kind == TerrainSpec::Kind::chute && t.arc > 0 && t.angle > 0;
+  const bool curved = !scene.terrain.arcs().empty();
   closure.curvature = curved && closure.tan_delta > 0 && scene.continuum.curvature != "off";
   return closure;
 }
@@ -172,9 +170,13 @@ ReferenceSurface reference_surface(const Scene& scene) {
     case TerrainSpec::Kind::incline:
       return ReferenceSurface::incline(t.angle, t.length);
     case TerrainSpec::Kind::chute:
+      return ReferenceSurface::chute(t.angle, t.slope, t.arc, t.runout);
+    case TerrainSpec::Kind::profile:
       break;
   }
-  return ReferenceSurface::chute(t.angle, t.slope, t.arc, t.runout);
+  std::vector<ProfilePoint> stations;
+  for (const ProfileRow& row : t.profile) stations.push_back({row.x, row.angle});
+  return ReferenceSurface::profile(stations);
 }
 
 ZoneBox box_of(const CellBox& c, const Grid& grid) {
@@ -194,26 +196,6 @@ CellBox cells_in(const ZoneBox& box, const Grid& grid) {
 
 double expected_grain_density(const Scene& scene) {
   return scene.material.density / expected_solid_fraction;
-}
-
-GrainStiffness grain_stiffness(const Scene& scene, double grain_density) {
-  const GrainMaterial& grain = scene.material.grain;
-  return {scene.grains.diameter, scene.grains.spread, grain_density, grain.youngs_modulus, grain.poisson_ratio};
-}
-
-double stable_timestep(const Scene& scene, double grain_density) {
-  return stable_timestep(contact_law(scene.grains.contact), grain_stiffness(scene, grain_density));
-}
-
-double engine_timestep(const Scene& scene, double grain_density) {
-  return scene.grains.timestep > 0 ? scene.grains.timestep : stable_timestep(scene, grain_density);
-}
-
-double impact_overlap(const Scene& scene, double speed) {
-  const GrainMaterial& m = scene.material.grain;
-  const double stiffness = m.youngs_modulus / (2 * (1 - m.poisson_ratio * m.poisson_ratio));
-  const double ratio = expected_grain_density(scene) * speed * speed / stiffness;
-  return 0.5 * std::pow(5 * std::numbers::pi * std::numbers::sqrt2 / 8 * ratio, 0.4);
 }
 
 double mean_grain_volume(const GrainSpec& grains) {

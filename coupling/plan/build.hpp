@@ -4,7 +4,6 @@
 #include "continuum/noc/noc_solver.hpp"
 #include "continuum/solver.hpp"
 #include "continuum/terrain/elevation.hpp"
-#include "coupling/engine/contact_law.hpp"
 #include "coupling/scene/scene.hpp"
 
 namespace couloir {
@@ -31,16 +30,6 @@ ZoneBox box_of(const CellBox&, const Grid&);
 inline constexpr double expected_solid_fraction = 0.57;
 
 double expected_grain_density(const Scene&);  // [kg/m3]
-
-GrainStiffness grain_stiffness(const Scene&, double grain_density);
-
-// [s] the engine's stable step for the scene's smallest grain; the scene's own step, or where it gives none the stable one.
-double stable_timestep(const Scene&, double grain_density);
-double engine_timestep(const Scene&, double grain_density);
-
-// [d] by which two of the scene's grains that meet at `speed` [m/s] overlap, by Hertz:
-// (5 pi sqrt(2) / 8 rho v^2 / E*)^0.4 / 2. Source: Johnson, Contact Mechanics, eq. 11.25, for equal spheres.
-double impact_overlap(const Scene&, double speed);
 
 // [m3] mean volume of a grain: radii uniform within +-spread of the mean.
 double mean_grain_volume(const GrainSpec&);

@@ -29,8 +29,8 @@ struct Listing {
   bool continuum = s.mode != Mode::grains;
   bool grains = s.mode != Mode::continuum;
   bool coupled = s.mode == Mode::coupled;
-  bool flat = s.terrain.kind == TerrainSpec::Kind::flat || s.terrain.angle == 0;
-  bool arc = s.terrain.kind == TerrainSpec::Kind::chute && s.terrain.arc > 0 && s.terrain.angle > 0;
+  bool flat = s.terrain.level();
+  std::vector<TerrainArc> arcs = s.terrain.arcs();
   std::vector<PlannedZone> zones = coupled ? planned_zones(s) : std::vector<PlannedZone>{};
   std::string mode = fmt::format("mode is {}", to_string(s.mode));
 
@@ -75,7 +75,9 @@ struct Listing {
 
   Effect gravity_along_slope() const {
     return {"gravity_along_slope", !flat,
-            flat ? "the terrain is level" : fmt::format("the terrain is inclined by {}", ang(s.terrain.angle))};
+            flat                                           ? "the terrain is level"
+            : s.terrain.kind == TerrainSpec::Kind::profile ? "the terrain's profile has a slope"
+                                                           : fmt::format("the terrain is inclined by {}", ang(s.terrain.angle))};
   }
 
   Effect earth_pressure() const {
@@ -97,14 +99,16 @@ struct Listing {
 
   Effect curvature() const {
     if (!continuum) return {"curvature", false, mode + ": the grains move on the curved bed itself"};
-    if (!arc) return {"curvature", false, "the terrain has no arc: kappa is 0 everywhere"};
+    if (arcs.empty()) return {"curvature", false, "the terrain has no arc: kappa is 0 everywhere"};
     if (s.continuum.curvature == "off")
       return {"curvature", false, "continuum.curvature is off, although the terrain has an arc"};
     if (s.leaves_out("basal_friction"))
       return {"curvature", false, "it is a part of the friction, which is switched off by hand"};
     if (s.material.delta == 0) return {"curvature", false, "it presses the flow onto its bed, which is frictionless: delta is 0"};
+    const TerrainArc& tightest = *std::ranges::max_element(arcs, {}, [](const TerrainArc& a) { return std::abs(a.curvature()); });
     return {"curvature", true,
-            fmt::format("the terrain has an arc of {} with radius {}", len(s.terrain.arc), len(s.terrain.arc / s.terrain.angle))};
+            fmt::format("the terrain has {} of {} with radius {}", arcs.size() == 1 ? "an arc" : "arcs, the tightest",
+                        len(tightest.length), len(1 / std::abs(tightest.curvature())))};
   }
 
   // Grains carry the flow around it.
@@ -243,7 +247,7 @@ struct Listing {
     if (!continuum && s.fed()) return {"coupling", true, mode + ": the strip that brings the inflow hands it to the grains"};
     if (!coupled) return {"coupling", false, mode + ": one model alone"};
     return {"coupling", true,
-            s.grains.zone ? "mode is coupled, with the zone that the scene gives"
+            !s.grains.zones.empty() ? "mode is coupled, with the zone that the scene gives"
             : zones.size() == 1
                 ? "mode is coupled, with an automatic zone around the obstacles"
                 : fmt::format("mode is coupled, with {} automatic zones around the obstacles, an engine each", zones.size())};

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "coupling/plan/build.hpp"
+#include "coupling/plan/stiffness.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/refine.hpp"
 #include "coupling/scene/release_shape.hpp"
@@ -92,20 +93,24 @@ void check_window(const Scene& scene, const Plan& plan) {
 // On cell lines the zone may cut what the scene's own box held.
 void check_zone(const Scene& scene, const Plan& plan) {
   for (const PlannedZone& zone : plan.zones)
+    if (!layers_can_follow(scene, zone.cells))
+      fail(scene, "grains.zone",
+           "has a side along the slope, x from {:.6g} to {:.6g} m, beside a brink or more than one arc of the terrain, where its "
+           "driven layer cannot follow the bed; make it as wide as the domain, or end it between the arcs",
+           zone.box.x0, zone.box.x1);
+  for (const PlannedZone& zone : plan.zones)
     for (const ObstacleSpec& o : scene.obstacles) {
       const ZoneBox& z = zone.box;
       if (z.holds(o)) continue;
       if (scene.mode == Mode::grains)
         fail(scene, "obstacles." + o.name,
              "stands in the strip along a side through which material comes in, where a shallow flow brings it to the grains; "
-             "they "
-             "take over x from {:.6g} to {:.6g} m, y from {:.6g} to {:.6g} m; move it, or use smaller cells",
+             "they take over x from {:.6g} to {:.6g} m, y from {:.6g} to {:.6g} m; move it, or use smaller cells",
              z.x0, z.x1, z.y0, z.y1);
       if (z.apart(o)) continue;
       fail(scene, "grains.zone",
            "on the mesh's lines is x from {:.6g} to {:.6g} m, y from {:.6g} to {:.6g} m, which cuts through obstacles.{}; widen "
-           "it "
-           "by a cell, or use smaller cells",
+           "it by a cell, or use smaller cells",
            z.x0, z.x1, z.y0, z.y1, o.name);
     }
 }

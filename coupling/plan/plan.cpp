@@ -12,6 +12,7 @@
 #include "coupling/plan/effects.hpp"
 #include "coupling/plan/limits.hpp"
 #include "coupling/plan/release.hpp"
+#include "coupling/plan/stiffness.hpp"
 #include "coupling/plan/switches.hpp"
 #include "coupling/scene/calibration_name.hpp"
 #include "coupling/scene/inflow.hpp"
@@ -127,7 +128,8 @@ void warn_of_inflows(const Scene& scene, const auto& say) {
   for (int side = 0; side < 4; ++side) {
     if (scene.sides[side].kind != SideSpec::Kind::inflow) continue;
     const GreatestInflow q = greatest_inflow(scene, scene.sides[side]);
-    const double froude = q.velocity / std::sqrt(scene.gravity * std::cos(scene.terrain.angle) * q.depth);
+    const double slope = reference_surface(scene).angle(side == 1 ? scene.terrain.total_length() : 0);
+    const double froude = q.velocity / std::sqrt(scene.gravity * std::cos(slope) * q.depth);
     if (froude < 1) {
       say(fmt::format(
           "The inflow {} is slower than its waves (Froude {:.2f}): depth times velocity enters as stated, at the depth "
@@ -188,18 +190,20 @@ void warn_of_hand_set(const Scene& scene, const auto& say) {
 }
 
 void warn_of_impacts(const Plan& plan, const Scene& scene, const auto& say) {
-  const double speed = std::max(plan.at_obstacle.velocity, scene.release.speed()), overlap = impact_overlap(scene, speed);
-  if (overlap > 0.25)
-    say(fmt::format(
-        "Grains at {:.3g} m/s overlap by about {:.2g} of a diameter when they meet: they are too soft for that; raise "
-        "grains.youngs_modulus (their time step follows).",
-        speed, overlap));
+  constexpr double soft = 0.3;  // [d]
+  if (plan.bunch_overlap <= soft) return;
+  Scene stiffer = scene;
+  stiffer.material.grain.youngs_modulus = 0;
+  say(fmt::format(
+      "Grains in a bunch at {:.3g} m/s overlap by about {:.2g} of a diameter when they are stopped: they are too soft for that; "
+      "raise grains.youngs_modulus (auto would take {}; their time step follows).",
+      plan.impact_speed, plan.bunch_overlap, short_quantity(youngs_modulus(stiffer), Dimension::pressure)));
 }
 
 // Grains where they are not called for, and none where there is an obstacle.
 void warn_of_places(const Plan& plan, const Scene& scene, const auto& say) {
   const bool fails = std::ranges::any_of(plan.shallow, [](const ShallowVerdict& v) { return v.obstacle && !v.holds(); });
-  if (!scene.grains.zone && !fails)
+  if (scene.grains.zones.empty() && !fails)
     say("The shallow model holds at every obstacle: mode continuum would do. The zones are around all of them.");
   for (const ObstacleSpec& o : scene.obstacles) {
     if (any_holds(plan.zones, o)) continue;
@@ -293,7 +297,7 @@ Plan make_plan(const Scene& asked) {
 
   plan.shallow = shallow_verdicts(scene);
   if (has_zones(scene)) plan.zones = planned_zones(scene);
-  const bool zone_known = scene.continuum.cell > 0 && (scene.grains.zone || !scene.obstacles.empty());
+  const bool zone_known = scene.continuum.cell > 0 && (!scene.grains.zones.empty() || !scene.obstacles.empty());
   if (scene.grains.diameter > 0) {
     plan.grains[static_cast<std::size_t>(Mode::grains)] = grains_in(scene, volume_of_all_grains(scene));
     if (zone_known) {
@@ -307,6 +311,8 @@ Plan make_plan(const Scene& asked) {
 
   if (scene.mode != Mode::continuum) {
     const auto count = static_cast<double>(plan.grains[static_cast<std::size_t>(scene.mode)]);
+    plan.youngs_modulus = youngs_modulus(scene), plan.impact_speed = impact_speed(scene);
+    plan.bunch_overlap = bunch_overlap(scene, plan.impact_speed);
     plan.engine_dt = engine_timestep(scene, expected_grain_density(scene));
     // Coupled: no engine before the flow nears the zone.
     const double idle = !plan.zones.empty() && !scene.fed() ? flow_estimate_at(scene, plan.zones.front().box.x0).time / 2 : 0;

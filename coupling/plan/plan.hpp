@@ -40,6 +40,8 @@ struct Plan {
   std::vector<PlannedZone> zones;               // mode coupled
   std::array<std::int64_t, 3> grains{};         // greatest number expected at once, by Mode; 0 where the scene has no diameter
   double engine_dt = 0;                         // [s] 0: no engine
+  double youngs_modulus = 0;                    // [Pa] of the grains
+  double impact_speed = 0, bunch_overlap = 0;   // [m/s] of the grains; [d] by which a bunch of them then overlaps at most
   std::int64_t engine_steps = 0;
   double memory = 0;                           // [bytes]
   double time_continuum = 0, time_engine = 0;  // [s] of one core at the speeds that plan.cpp states

@@ -94,6 +94,9 @@ std::string plan_text(const Plan& plan) {
   if (plan.engine_dt > 0) {
     out += fmt::format("grains     about {} at once; {} engine steps of {:.3g} us\n",
                        plan.grains[static_cast<std::size_t>(plan.mode)], plan.engine_steps, plan.engine_dt * 1e6);
+    out +=
+        fmt::format("           of {:g} MPa: in a bunch at up to {:.3g} m/s they overlap by at most {:.2g} of their diameter\n",
+                    plan.youngs_modulus * 1e-6, plan.impact_speed, plan.bunch_overlap);
   }
   for (const std::string& gauge : plan.stress_gauges) out += "gauge      " + gauge + "\n";
   out += fmt::format("cost       about {} (continuum {}, engine {}), {:.0f} MB; within a factor of {}\n", seconds(plan.time),
@@ -138,7 +141,7 @@ nlohmann::json plan_json(const Plan& plan) {
   }
   json["zone"] = plan.zones.empty() ? nlohmann::json(nullptr) : json["zones"].front();
   json["grains"] = {{"continuum", plan.grains[0]}, {"coupled", plan.grains[1]}, {"grains", plan.grains[2]}};
-  json["engine"] = {{"timestep", plan.engine_dt}, {"steps", plan.engine_steps}};
+  json["engine"] = {{"timestep", plan.engine_dt}, {"steps", plan.engine_steps}, {"youngs_modulus", plan.youngs_modulus}};
   json["flow"] = {{"x", plan.at_obstacle.x},
                   {"time", plan.at_obstacle.time},
                   {"depth", plan.at_obstacle.depth},

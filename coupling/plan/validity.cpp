@@ -7,15 +7,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupling/plan/build.hpp"
 #include "coupling/plan/flow_estimate.hpp"
 #include "coupling/scene/release_shape.hpp"
+#include "coupling/scene/units.hpp"
 
 namespace couloir {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double steepest = 45 * degree, most_curvature = 0.3, most_acceleration = 0.5, strongest_jump = 2, fewest_grains = 5,
-                 tallest_release = 0.5;
+                 tallest_release = 0.5, most_lift = 1;
 
 // The steepest face that looks upstream, where it is at least as high as the flow is deep or half as high as the obstacle.
 Turn turn_at(const SolidBody& body, double depth) {
@@ -92,15 +94,20 @@ ShallowVerdict shallow_verdict(const Scene& scene, const ObstacleSpec& o) {
 std::vector<ShallowVerdict> shallow_verdicts(const Scene& scene) {
   std::vector<ShallowVerdict> out;
   for (const ObstacleSpec& o : scene.obstacles) out.push_back(shallow_verdict(scene, o));
-  const TerrainSpec& t = scene.terrain;
-  if (t.kind == TerrainSpec::Kind::chute && t.angle > 0 && t.arc > 0) {
-    const FlowEstimate flow = flow_estimate_at(scene, t.slope);
-    if (flow_estimate(scene).back().x >= t.slope) {
-      ShallowVerdict arc{"arc", false, {}};
-      arc.tests.push_back(at_most("curvature times depth", t.angle / t.arc * flow.depth, most_curvature));
-      add_grains(arc, scene, flow);
-      out.push_back(arc);
+  const double reached = flow_estimate(scene).back().x;
+  const std::vector<TerrainArc> arcs = scene.terrain.arcs();
+  for (const TerrainArc& arc : arcs) {
+    if (reached < arc.begin) break;
+    const FlowEstimate flow = flow_estimate_at(scene, arc.begin);
+    ShallowVerdict bend{
+        arcs.size() == 1 ? "arc" : fmt::format("arc at {}", short_quantity(arc.begin, Dimension::length)), false, {}};
+    bend.tests.push_back(at_most("curvature times depth", std::abs(arc.curvature()) * flow.depth, most_curvature));
+    if (arc.turn < 0) {
+      const double pull = scene.gravity * std::cos(reference_surface(scene).angle(arc.begin));
+      bend.tests.push_back(at_most("lift over weight", -arc.curvature() * flow.velocity * flow.velocity / pull, most_lift));
     }
+    add_grains(bend, scene, flow);
+    out.push_back(bend);
   }
   using Kind = ReleaseSpec::Kind;
   if (scene.release.kind != Kind::uniform && scene.release.kind != Kind::none) {

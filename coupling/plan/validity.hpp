@@ -1,5 +1,5 @@
 #pragma once
-// Whether the shallow model holds where the flow meets an obstacle, and on the arc: what it leaves out, as plain numbers with a
+// Whether the shallow model holds where the flow meets an obstacle, and on arcs: what it leaves out, as plain numbers with a
 // limit each, before anything is computed. `couloir plan` shows them; `grains.zone: auto` follows them (zone.hpp).
 //
 // The model of Savage and Hutter (1989) takes depths as small against all lengths along the bed and accelerations along the
@@ -13,6 +13,8 @@
 //                                                    curvature it has, this is no test
 //   jump          (sqrt(1 + 8 Fr^2) - 1) / 2         2: depth behind a jump over that before it (Belanger); no higher than the
 //                                                       obstacle lets it be
+//   lift          -kappa u^2 over g cos(zeta)        1: over a brink faster material would leave the bed, which the model
+//                                                       cannot let it
 //   release       its depth over its length          0.5: a taller column falls before it flows, and its front comes later and
 //   denser
 //                                                       than the model's
@@ -40,7 +42,7 @@ struct ShallowTest {
 };
 
 struct ShallowVerdict {
-  std::string place;  // an obstacle's name, "arc", or "the release"
+  std::string place;  // an obstacle's name, "arc" or "arc at 600 mm", or "the release"
   bool obstacle = false;
   std::vector<ShallowTest> tests;
   bool holds() const;
@@ -48,7 +50,7 @@ struct ShallowVerdict {
   std::string sentence() const;
 };
 
-// For each obstacle in the scene's order, for the arc where the terrain has one that the flow reaches, and for a finite release.
+// For each obstacle in the scene's order, for each arc of the terrain that the flow reaches, and for a finite release.
 // All but the last decide: too few grains for a continuum is told, but no reason for a zone of its own.
 std::vector<ShallowVerdict> shallow_verdicts(const Scene&);
 ShallowVerdict shallow_verdict(const Scene&, const ObstacleSpec&);

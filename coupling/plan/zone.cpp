@@ -150,11 +150,9 @@ std::vector<PlannedZone> planned_zones(const Scene& scene) {
   if (scene.mode == Mode::grains && scene.fed()) return {all_but_inflows(scene)};
   const Grid grid = grid_of(scene);
   std::vector<PlannedZone> zones;
-  if (scene.grains.zone) {
-    zones.push_back(on_cells(cells_in(*scene.grains.zone, grid), grid, "given by the scene, moved to the nearest cell lines"));
-  } else {
-    zones = automatic(scene);
-  }
+  for (const ZoneBox& box : scene.grains.zones)
+    zones.push_back(on_cells(cells_in(box, grid), grid, "given by the scene, moved to the nearest cell lines"));
+  if (zones.empty()) zones = automatic(scene);
   for (std::size_t n = 0; n < zones.size(); ++n) {
     std::vector<CellBox> others;
     for (std::size_t m = 0; m < zones.size(); ++m) {

@@ -66,6 +66,7 @@ class Lines {
     for (const CellBox& other : others_)
       if (to.i0 - gap_x < other.i1 && other.i0 < to.i1 + gap_x && to.j0 - gap_y < other.j1 && other.j0 < to.j1 + gap_y)
         return false;
+    if (!layers_can_follow(scene_, to)) return false;
     widest_ = to;
     return true;
   }
@@ -77,6 +78,19 @@ class Lines {
 };
 
 }  // namespace
+
+bool layers_can_follow(const Scene& scene, const CellBox& zone) {
+  const Grid grid = grid_of(scene);
+  if (zone.j0 == 0 && zone.j1 == grid.ny) return true;
+  const ZoneBox box = box_of(zone, grid);
+  int beside = 0;
+  for (const TerrainArc& arc : scene.terrain.arcs()) {
+    if (box.x1 <= arc.begin || box.x0 >= arc.begin + arc.length) continue;
+    if (arc.turn < 0) return false;
+    ++beside;
+  }
+  return beside <= 1;
+}
 
 ZoneLines growth_lines(const Scene& scene, const CellBox& planned, const std::vector<CellBox>& others) {
   return Lines(scene, planned, others).all();

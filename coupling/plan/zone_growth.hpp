@@ -19,6 +19,10 @@ struct ZoneLines {
   int at_x = 0, at_y = 0;
 };
 
+// Whether the zone's sides along the slope, where it has some within the domain, lie beside one arc at most and no brink: their
+// driven layers turn about one axis.
+bool layers_can_follow(const Scene&, const CellBox& zone);
+
 // `others`: zones that it must keep clear of. Without scene.grains.follow: the planned edges alone.
 ZoneLines growth_lines(const Scene&, const CellBox& planned, const std::vector<CellBox>& others);
 

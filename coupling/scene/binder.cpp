@@ -26,7 +26,7 @@ std::string wanted(const Key& key) {
   const std::string unit = units.empty() ? "" : fmt::format(" in {}", fmt::join(units, ", "));
   switch (key.kind) {
     case ValueKind::number:
-      return describe(key.dimension) + unit;
+      return (key.choices.empty() ? "" : key.choices.front() + ", or ") + describe(key.dimension) + unit;
     case ValueKind::numbers:
       return fmt::format("a list of {} numbers{}", key.count, unit);
     case ValueKind::table:
@@ -160,7 +160,8 @@ class Binder {
   }
 
   void number(const Node& node, const Key& key, const std::string& full, int index) {
-    const double x = quantity(node, key, full);
+    const bool word = node.kind == Node::Kind::text && std::ranges::count(key.choices, node.text) > 0;
+    const double x = word ? 0 : quantity(node, key, full);
     if (key.set) {
       key.set(scene_, index, x);
     } else {

@@ -10,6 +10,7 @@
 #include "coupling/scene/check_engine.hpp"
 #include "coupling/scene/check_gauges.hpp"
 #include "coupling/scene/check_mesh.hpp"
+#include "coupling/scene/check_zones.hpp"
 #include "coupling/scene/inflow.hpp"
 #include "coupling/scene/release_shape.hpp"
 #include "coupling/scene/scene_error.hpp"
@@ -18,16 +19,13 @@
 namespace couloir {
 namespace {
 
-// Grain diameters that an explicit zone must leave: before an obstacle, beside and behind it, and before its own upstream face,
-// where the driven layer lies.
-constexpr double zone_before = 5, zone_around = 2, driven_layer = 3;
-
 // Passive earth pressure beyond which the flow gains energy where a passive cell meets an active one (tests/stability); phi about
 // 65 deg, which no granular material has.
 constexpr double most_passive = 20;
 // Depth over the arc's radius: at 1 the normals meet inside the flow; at 1/2 the volume above a piece of the bed, which the model
 // takes for h, is h (1 - h / 2R), a quarter less.
 constexpr double most_on_arc = 0.5;
+constexpr double steepest = 89 * std::numbers::pi / 180 * (1 + 1e-9);  // whatever the last bit of 89 deg as typed
 
 // LIGGGHTS's own bound, below which it warns; it refuses a mesh with angles somewhat smaller.
 constexpr double thinnest_deg = 0.5, thinnest = thinnest_deg * std::numbers::pi / 180;
@@ -70,27 +68,47 @@ struct Checker {
   }
 
   void curvature() const {
-    const TerrainSpec& t = scene.terrain;
-    if (!continuum() || t.kind != TerrainSpec::Kind::chute || t.angle == 0) return;
-    const double radius = t.arc / t.angle;
+    if (!continuum()) return;
     double depth = deepest(scene);
     for (const SideSpec& side : scene.sides) {
       if (side.kind == SideSpec::Kind::inflow) depth = std::max(depth, greatest_inflow(scene, side).depth);
     }
     const Footprint f = release_footprint(scene);
-    const bool on_arc = f.x1 > t.slope + room() && f.x0 < t.slope + t.arc - room();
-    if (depth >= radius) {
-      fail("terrain.arc",
-           "is {}, a radius of {}, no larger than the flow's greatest depth {}: depths are measured along normals, which meet "
-           "inside such a flow; use a longer arc",
-           len(t.arc), len(radius), len(depth));
+    for (const TerrainArc& arc : scene.terrain.arcs()) {
+      const double radius = 1 / std::abs(arc.curvature());
+      const bool on_arc = f.x1 > arc.begin + room() && f.x0 < arc.begin + arc.length - room();
+      if (arc.turn > 0 && depth >= radius) {
+        const bool chute = scene.terrain.kind == TerrainSpec::Kind::chute;
+        fail(chute ? "terrain.arc" : "terrain.profile",
+             "{} {}, a radius of {}, no larger than the flow's greatest depth {}: depths are measured along normals, which meet "
+             "inside such a flow; use a longer arc",
+             chute ? "is" : fmt::format("has an arc at x = {} of", len(arc.begin)), len(arc.length), len(radius), len(depth));
+      }
+      if (on_arc && deepest(scene) > most_on_arc * radius) {
+        fail("release",
+             "is up to {} deep on an arc of radius {}: at most half of the radius, beyond which volumes on the arc are off "
+             "by more than a quarter; move it up, or use a longer arc",
+             len(deepest(scene)), len(radius));
+      }
     }
-    if (on_arc && deepest(scene) > most_on_arc * radius) {
-      fail("release",
-           "is up to {} deep on an arc of radius {}: at most half of the radius, beyond which volumes on the arc are off "
-           "by more than a quarter; move it up, or use a longer arc",
-           len(deepest(scene)), len(radius));
+  }
+
+  void profile() const {
+    if (scene.terrain.kind != TerrainSpec::Kind::profile) return;
+    const auto& rows = scene.terrain.profile;
+    const auto ang = [](double value) { return short_quantity(value, Dimension::angle); };
+    if (rows.size() < 2) fail("terrain.profile", "has {} rows; give at least 2", rows.size());
+    if (rows.front().x != 0) fail("terrain.profile", "begins at {}; its first row must be at x = 0", len(rows.front().x));
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      if (k > 0 && !(rows[k].x > rows[k - 1].x))
+        fail("terrain.profile", "has a row at {} after one at {}; x must rise", len(rows[k].x), len(rows[k - 1].x));
+      if (!(std::abs(rows[k].angle) <= steepest))
+        fail("terrain.profile", "has an angle of {} at x = {}; give one from -89 to 89 deg", ang(rows[k].angle), len(rows[k].x));
     }
+    const auto [least, most] = std::ranges::minmax(rows, {}, &ProfileRow::angle);
+    if (most.angle - least.angle > std::numbers::pi / 2)
+      fail("terrain.profile", "turns from {} to {}; a terrain's angles must lie within 90 deg of each other", ang(least.angle),
+           ang(most.angle));
   }
 
   void sides() const {
@@ -104,8 +122,10 @@ struct Checker {
              names[other]);
       }
     }
-    if (scene.sides[0].kind == Kind::periodic && scene.terrain.kind == TerrainSpec::Kind::chute) {
-      fail("boundaries.upstream", "is periodic on a chute, whose ends have different slopes; use wall or outflow");
+    if (const bool chute = scene.terrain.kind == TerrainSpec::Kind::chute;
+        scene.sides[0].kind == Kind::periodic && (chute || !scene.terrain.arcs().empty())) {
+      fail("boundaries.upstream", "is periodic on a {}; use wall or outflow",
+           chute ? "chute, whose ends have different slopes" : "profile with arcs");
     }
     for (int k = 0; k < 4; ++k) inflow(scene.sides[k], fmt::format("boundaries.{}.inflow", names[k]));
     if (scene.mode == Mode::continuum) return;
@@ -215,7 +235,8 @@ struct Checker {
     if (o.shape != ObstacleSpec::Shape::cuboid) fail(key + ".method", "is planes, which only a cuboid has; use elevation");
     if (scene.mode == Mode::grains) return;
     if (scene.mode == Mode::coupled) {
-      if (!scene.grains.zone || scene.grains.zone->holds(o)) return;
+      const std::vector<ZoneBox>& boxes = scene.grains.zones;
+      if (boxes.empty() || std::ranges::any_of(boxes, [&](const ZoneBox& z) { return z.holds(o); })) return;
       fail(key + ".method",
            "is planes, which mode coupled has only where grains hold the obstacle; enlarge grains.zone, or use step");
     }
@@ -323,53 +344,6 @@ struct Checker {
       fail("grains.diameter", "is {}, too large for a domain {} wide; use smaller grains", len(d), len(width()));
   }
 
-  void zone() const {
-    if (scene.mode != Mode::coupled) return;
-    if (!scene.grains.zone) {
-      if (scene.obstacles.empty()) {
-        fail("grains.zone",
-             "is auto, but there is no obstacle to put it around; give a box {{x: [.., ..], y: [.., ..]}} or an obstacle");
-      }
-      return;
-    }
-    const ZoneBox& z = *scene.grains.zone;
-    const double d = scene.grains.diameter;
-    if (z.x1 <= z.x0 || z.y1 <= z.y0) {
-      fail("grains.zone", "is empty: x from {} to {}, y from {} to {}; give [from, to] with from below to", len(z.x0), len(z.x1),
-           len(z.y0), len(z.y1));
-    }
-    if (z.x0 < -room() || z.x1 > length() + room() || z.y0 < -width() / 2 - room() || z.y1 > width() / 2 + room()) {
-      fail("grains.zone", "reaches out of the domain (x from 0 to {}, y from {} to {})", len(length()), len(-width() / 2),
-           len(width() / 2));
-    }
-    if (z.x1 - z.x0 < zone_before * d || z.y1 - z.y0 < zone_around * d) {
-      fail("grains.zone", "is {} by {}, too small for grains of {}: at least {} diameters along and {} across", len(z.x1 - z.x0),
-           len(z.y1 - z.y0), len(d), zone_before, zone_around);
-    }
-    if (z.x0 < driven_layer * d) {
-      fail("grains.zone.x", "starts at {}: upstream of the zone the driven layer of grains needs {} diameters ({})", len(z.x0),
-           driven_layer, len(driven_layer * d));
-    }
-    for (const ObstacleSpec& o : scene.obstacles) zone_around_obstacle(z, o, d);
-  }
-
-  void zone_around_obstacle(const ZoneBox& z, const ObstacleSpec& o, double d) const {
-    const double x1 = o.x + o.length, y0 = o.y - o.width / 2, y1 = o.y + o.width / 2;
-    if (z.apart(o)) return;  // the continuum keeps this one; the plan says so
-    if (!z.holds(o)) {
-      fail("grains.zone", "cuts through obstacles.{} (x from {} to {}, y from {} to {}); it must hold it whole", o.name, len(o.x),
-           len(x1), len(y0), len(y1));
-    }
-    const auto near = [&](double gap, double diameters, bool at_side) { return !at_side && gap < diameters * d - room(); };
-    const bool low = z.y0 <= -width() / 2 + room(), high = z.y1 >= width() / 2 - room();
-    if (near(o.x - z.x0, zone_before, false) || near(z.x1 - x1, zone_around, z.x1 >= length() - room()) ||
-        near(y0 - z.y0, zone_around, low) || near(z.y1 - y1, zone_around, high)) {
-      fail("grains.zone",
-           "is too tight around obstacles.{}: it needs {} grain diameters ({}) before it and {} beside and behind it", o.name,
-           zone_before, len(zone_before * d), zone_around);
-    }
-  }
-
   void records() const {
     constexpr double most_rows = 1e7;
     for (const auto& [key, interval] :
@@ -393,21 +367,13 @@ struct Checker {
       }
     }
   }
-
-  void zone_holds_some_obstacle() const {
-    if (scene.mode != Mode::coupled || !scene.grains.zone || scene.obstacles.empty()) return;
-    const ZoneBox& z = *scene.grains.zone;
-    for (const ObstacleSpec& o : scene.obstacles) {
-      if (z.holds(o)) return;
-    }
-    fail("grains.zone", "holds none of the scene's obstacles; move it, or use zone: auto");
-  }
 };
 
 }  // namespace
 
 void check_scene(const Scene& scene) {
   const Checker check{scene};
+  check.profile();
   check.material();
   check.sides();
   check.release();
@@ -420,8 +386,7 @@ void check_scene(const Scene& scene) {
   check.diameter();
   check_stress_gauges(scene);
   check_engine(scene);
-  check.zone();
-  check.zone_holds_some_obstacle();
+  check_zones(scene);
   check.records();
 }
 

@@ -11,8 +11,10 @@ namespace {
 std::string kind_of(const Key& key) {
   const std::string unit = si_unit(key.dimension);
   switch (key.kind) {
-    case ValueKind::number:
-      return unit.empty() ? "number" : fmt::format("{} [{}]", std::string(describe(key.dimension)), unit);
+    case ValueKind::number: {
+      const std::string word = key.choices.empty() ? "" : key.choices.front() + " or ";
+      return word + (unit.empty() ? "number" : fmt::format("{} [{}]", std::string(describe(key.dimension)), unit));
+    }
     case ValueKind::numbers:
       return fmt::format("list of {} [{}]", key.count, unit);
     case ValueKind::table: {
@@ -48,7 +50,8 @@ std::string default_of(const Key& key) {
   blank.record.gauges.emplace_back();
   blank.continuum.refine.emplace_back();
   const Value value = key.get(blank, 0);
-  if (const auto* number = std::get_if<double>(&value)) return short_quantity(*number, key.dimension);
+  if (const auto* number = std::get_if<double>(&value))
+    return *number == 0 && !key.choices.empty() ? key.choices.front() : short_quantity(*number, key.dimension);
   if (const auto* number = std::get_if<long>(&value)) return fmt::format("{}", *number);
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   return "";

@@ -16,6 +16,26 @@ const char* to_string(Mode mode) {
   return "?";
 }
 
+double TerrainSpec::total_length() const {
+  if (kind == Kind::profile) return profile.empty() ? 0 : profile.back().x;
+  return kind == Kind::chute ? slope + arc + runout : length;
+}
+
+bool TerrainSpec::level() const {
+  if (kind == Kind::profile) return std::ranges::all_of(profile, [](const ProfileRow& row) { return row.angle == 0; });
+  return kind == Kind::flat || angle == 0;
+}
+
+std::vector<TerrainArc> TerrainSpec::arcs() const {
+  if (kind == Kind::chute && angle > 0 && arc > 0) return {{slope, arc, angle}};
+  std::vector<TerrainArc> out;
+  for (std::size_t k = 1; k < profile.size(); ++k) {
+    const double turn = profile[k - 1].angle - profile[k].angle;
+    if (turn != 0) out.push_back({profile[k - 1].x, profile[k].x - profile[k - 1].x, turn});
+  }
+  return out;
+}
+
 bool ObstacleSpec::covers(double px, double py) const {
   if (shape == Shape::mesh) return top(px, py) > 0;
   const double along = px - x, aside = std::abs(py - y);

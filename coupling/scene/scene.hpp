@@ -17,13 +17,27 @@ namespace couloir {
 enum class Mode { continuum, coupled, grains };
 const char* to_string(Mode);
 
+struct ProfileRow {
+  double x = 0, angle = 0;  // [m] along the surface, [rad]
+};
+
+// A piece of the terrain along which its angle changes evenly with the way.
+struct TerrainArc {
+  double begin = 0, length = 0;                       // [m] along the surface
+  double turn = 0;                                    // [rad] by which the slope is gentler at its end; negative over a brink
+  double curvature() const { return turn / length; }  // [1/m]
+};
+
 struct TerrainSpec {
-  enum class Kind { flat, incline, chute } kind = Kind::incline;
+  enum class Kind { flat, incline, chute, profile } kind = Kind::incline;
   double angle = 0;                       // [rad] of the incline
   double length = 0;                      // [m] flat, incline: along the surface
   double slope = 0, arc = 0, runout = 0;  // [m] chute: lengths along the surface
+  std::vector<ProfileRow> profile;        // its angle, linear between the rows
   double width = 0;                       // [m]; y runs from -width/2 to width/2
-  double total_length() const { return kind == Kind::chute ? slope + arc + runout : length; }
+  double total_length() const;            // [m] along the surface
+  bool level() const;                     // everywhere
+  std::vector<TerrainArc> arcs() const;
 };
 
 struct GrainMaterial {
@@ -34,7 +48,7 @@ struct GrainMaterial {
   double rolling_friction = 0.15;       // between grains [-]
   double base_rolling_friction = 0.15;  // grain on bed, obstacle and sides [-]
   double restitution = 0.5;             // [-]
-  double youngs_modulus = 5e6;          // [Pa]
+  double youngs_modulus = 0;            // [Pa] 0: as the flow's speed asks, stiffness.hpp
   double poisson_ratio = 0.25;          // [-]
 };
 
@@ -178,16 +192,16 @@ struct GrainSpec {
   std::string rotation = "free";    // | blocked | control
   RotationSpec control;             // of rotation: control
   int ranks = 1;
-  double diameter = 0;          // [m]
-  double spread = 0.1;          // radii are uniform within +-spread of the mean
-  std::optional<ZoneBox> zone;  // empty: automatic
-  bool follow = true;           // the zone grows, shrinks and ends with the need
-  int window = 40;              // engine steps in a coupling window
-  double skin = 0;              // [m] of the neighbour lists; 0: the engine's worker chooses
-  double timestep = 0;          // [s] 0: a fixed share of the Rayleigh time
-  long seed = 20011;            // packing and radii
-  int replicates = 1;           // runs, each with a packing of its own: seed, seed + 1, ...
-  double timeout = 120;         // [s] without an answer from the engine before it counts as dead
+  double diameter = 0;         // [m]
+  double spread = 0.1;         // radii are uniform within +-spread of the mean
+  std::vector<ZoneBox> zones;  // none: automatic
+  bool follow = true;          // zones grow, shrink and end with the need
+  int window = 40;             // engine steps in a coupling window
+  double skin = 0;             // [m] of the neighbour lists; 0: the engine's worker chooses
+  double timestep = 0;         // [s] 0: a fixed share of the Rayleigh time
+  long seed = 20011;           // packing and radii
+  int replicates = 1;          // runs, each with a packing of its own: seed, seed + 1, ...
+  double timeout = 120;        // [s] without an answer from the engine before it counts as dead
 };
 
 // A point, or a rectangle laid out like an obstacle's base.

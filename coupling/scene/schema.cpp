@@ -38,7 +38,7 @@ void add_run(Keys& k) {
 void add_terrain(Keys& k) {
   k.add(mapping("terrain", "the reference surface; x runs down it from the upper edge, y across it from the centre line")
             .required());
-  k.add(choice("terrain.kind", "its shape", {"flat", "incline", "chute"}, COULOIR_AT(terrain.kind)).required());
+  k.add(choice("terrain.kind", "its shape", {"flat", "incline", "chute", "profile"}, COULOIR_AT(terrain.kind)).required());
   k.add(number("terrain.angle", angle, "inclination of the incline", COULOIR_AT(terrain.angle))
             .within(0, steepest)
             .required()
@@ -59,6 +59,29 @@ void add_terrain(Keys& k) {
             .above(0)
             .required()
             .when("kind", {"chute"}));
+  Key profile;
+  profile.path = "terrain.profile";
+  profile.kind = ValueKind::table;
+  profile.help =
+      "rows [x, angle] from the upper edge, x = 0, to the lower one, x along the surface; the angle is linear between them, so "
+      "that "
+      "rows of different angles have an arc between them; negative: uphill";
+  profile.columns = {length, angle};
+  profile.column_names = {"x", "angle"};
+  profile.presence = Presence::required;
+  profile.selector = "kind";
+  profile.selected = {"profile"};
+  profile.get = [](const Scene& s, int) -> Value {
+    std::vector<double> out;
+    for (const ProfileRow& row : s.terrain.profile) out.insert(out.end(), {row.x, row.angle});
+    return out;
+  };
+  profile.set = [](Scene& s, int, const Value& value) {
+    const auto& list = std::get<std::vector<double>>(value);
+    s.terrain.profile.clear();
+    for (std::size_t n = 0; n + 1 < list.size(); n += 2) s.terrain.profile.push_back({list[n], list[n + 1]});
+  };
+  k.add(profile);
   k.add(
       number("terrain.width", length, "across; y runs from -width/2 to width/2", COULOIR_AT(terrain.width)).above(0).required());
 }
@@ -288,7 +311,7 @@ const Key& schema_key(const std::string& path) {
 }
 
 std::string allowed_values(const Key& key) {
-  if (!key.choices.empty()) return fmt::format("{}", fmt::join(key.choices, ", "));
+  if (!key.choices.empty() && key.kind != ValueKind::number) return fmt::format("{}", fmt::join(key.choices, ", "));
   const Bounds& b = key.bounds;
   const bool whole = key.kind == ValueKind::integer;
   const auto show = [&](double v) { return whole ? fmt::format("{:.0f}", v) : short_quantity(v, key.dimension); };

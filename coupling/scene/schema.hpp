@@ -14,7 +14,7 @@
 namespace couloir {
 
 enum class ValueKind {
-  number,   // with a dimension
+  number,   // with a dimension; or, if `choices` has a word, that instead of 0
   numbers,  // a list of `count` numbers
   table,    // a list of rows, each a list of numbers of the dimensions in `columns`
   integer,

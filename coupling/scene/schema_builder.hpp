@@ -44,6 +44,10 @@ class KeyBuilder {
     return *this;
   }
   KeyBuilder& required() { return with(Presence::required); }
+  KeyBuilder& or_word(const std::string& word) {  // a number's, for 0
+    key_.choices = {word};
+    return *this;
+  }
   KeyBuilder& optional() { return with(Presence::optional); }
   KeyBuilder& unwritten() {
     key_.written = false;

@@ -58,15 +58,29 @@ void add_rotation(Keys& k) {
             .within(0, 1e3));
 }
 
+void add_box(Keys& k, const std::string& path) {
+  const auto box = [](auto& s, int i) -> auto& {
+    return s.grains.zones[static_cast<std::size_t>(i)];
+  };
+  k.add(numbers(path + "x", length, "[from, to] along the slope", [box](auto& s, int i) {
+          return std::tie(box(s, i).x0, box(s, i).x1);
+        }).required());
+  k.add(numbers(path + "y", length, "[from, to] across the slope", [box](auto& s, int i) {
+          return std::tie(box(s, i).y0, box(s, i).y1);
+        }).required());
+}
+
 }  // namespace
 
 // A material's grain parameters; `prefix` is where they are written, there or as overrides in the scene's grains.
 void add_grain_material(Keys& k, const std::string& prefix, Presence presence) {
-  const auto add = [&](const char* name, Dimension dimension, const char* help, Bounds bounds, auto member) {
+  const auto add = [&](const char* name, Dimension dimension, const char* help, Bounds bounds, auto member,
+                       const char* word_for_0 = "") {
     const auto at = [member](auto& s, int) -> auto& {
       return s.material.grain.*member;
     };
     KeyBuilder key = number(prefix + name, dimension, help, at).bounded(bounds).with(presence);
+    if (*word_for_0) key.or_word(word_for_0);
     k.add(presence == Presence::optional ? key.unwritten() : key);
   };
   using G = GrainMaterial;
@@ -78,7 +92,10 @@ void add_grain_material(Keys& k, const std::string& prefix, Presence presence) {
   add("base_rolling_friction", none, "rolling friction of a grain on bed, obstacles and sides", {0, 5},
       &G::base_rolling_friction);
   add("restitution", none, "coefficient of restitution; LIGGGHTS takes none of 0.05 or less", {0.05, 1, true}, &G::restitution);
-  add("youngs_modulus", pressure, "stiffness of a grain; LIGGGHTS takes no less than 5 MPa", {5e6, 1e12}, &G::youngs_modulus);
+  add("youngs_modulus", pressure,
+      "stiffness of a grain; auto: as the flow's expected speed asks, so that grains which come in a bunch overlap by at most a "
+      "tenth of their diameter; LIGGGHTS takes no less than 5 MPa",
+      {5e6, 1e12}, &G::youngs_modulus, "auto");
   add("poisson_ratio", none, "Poisson's ratio of a grain", {0, 0.49}, &G::poisson_ratio);
 }
 
@@ -101,16 +118,20 @@ void add_grains(Keys& k) {
 
   Key zone = mapping("grains.zone", "where grains replace the continuum: auto (around the obstacles) or a box").build();
   zone.choices = {"auto"};
-  zone.get = [](const Scene& s, int) -> Value { return s.grains.zone ? "" : "auto"; };
-  zone.set = [](Scene& s, int, const Value&) { s.grains.zone.reset(); };
-  zone.enter = [](Scene& s, int) { s.grains.zone.emplace(); };
+  zone.get = [](const Scene& s, int) -> Value { return s.grains.zones.size() == 1 ? "" : "auto"; };
+  zone.set = [](Scene& s, int, const Value&) { s.grains.zones.clear(); };
+  zone.enter = [](Scene& s, int) { s.grains.zones.assign(1, {}); };
   k.add(zone);
-  k.add(numbers("grains.zone.x", length, "[from, to] along the slope", [](auto& s, int) {
-          return std::tie(s.grains.zone->x0, s.grains.zone->x1);
-        }).required());
-  k.add(numbers("grains.zone.y", length, "[from, to] across the slope", [](auto& s, int) {
-          return std::tie(s.grains.zone->y0, s.grains.zone->y1);
-        }).required());
+  add_box(k, "grains.zone.");
+  Key zones = list(
+                  "grains.zones", "several boxes instead of grains.zone, each with an engine of its own",
+                  [](auto& s) -> auto& { return s.grains.zones; })
+                  .build();
+  zones.entries = [all = zones.entries](const Scene& s, int of) {  // one is grains.zone
+    return s.grains.zones.size() == 1 ? std::vector<Entry>() : all(s, of);
+  };
+  k.add(zones);
+  add_box(k, "grains.zones.*.");
 
   k.add(choice(
       "grains.follow",

@@ -28,7 +28,8 @@ std::string quoted(const std::string& text) {
 }
 
 std::string written(const Key& key, const Value& value) {
-  if (const auto* number = std::get_if<double>(&value)) return exact_quantity(*number, key.dimension);
+  if (const auto* number = std::get_if<double>(&value))
+    return *number == 0 && !key.choices.empty() ? key.choices.front() : exact_quantity(*number, key.dimension);
   if (const auto* number = std::get_if<long>(&value)) return fmt::format("{}", *number);
   if (const auto* list = std::get_if<std::vector<double>>(&value)) {
     std::vector<std::string> items;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "coupling/engine/drive_face.hpp"
 
@@ -12,12 +13,22 @@ Vec to_vec(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-// Of the edge of a lateral face from x0 to x1 [m].
-Bend bend_of(const ReferenceSurface& surface, double x0, double x1, double y) {
-  const double begin = surface.arc_begin(), length = surface.arc_length();
-  if (length == 0 || x1 <= begin || x0 >= begin + length) return {};
-  const double radius = 1 / surface.curvature(begin + 0.5 * length);
-  return {begin - x0, length, to_vec(surface.to_space({begin, y, 0})), to_vec(surface.to_space({begin, y, radius}))};
+// That the edge of a lateral face from x0 to x1 [m] lies beside; none: it is straight.
+const Arc* arc_beside(const ReferenceSurface& surface, double x0, double x1) {
+  const Arc* found = nullptr;
+  for (const Arc& arc : surface.arcs()) {
+    if (x1 <= arc.begin || x0 >= arc.begin + arc.length) continue;
+    if (found || arc.curvature < 0)
+      throw std::invalid_argument(
+          "a face along the slope lies beside a brink, or beside two arcs: its driven layer knows one arc");
+    found = &arc;
+  }
+  return found;
+}
+
+Bend bend_of(const ReferenceSurface& surface, const Arc& arc, double x0, double y) {
+  return {arc.begin - x0, arc.length, to_vec(surface.to_space({arc.begin, y, 0})),
+          to_vec(surface.to_space({arc.begin, y, 1 / arc.curvature}))};
 }
 
 }  // namespace
@@ -60,15 +71,15 @@ Rim::Rim(const Grid& grid, const CellBox& zone, const ReferenceSurface& surface,
     const auto& open = settings.open;
     face.slides = face.axis() == 0 ? (zone.j0 > 0 || open[2]) && (zone.j1 < grid.ny || open[3])
                                    : (zone.i0 > 0 || open[0]) && (zone.i1 < grid.nx || open[1]);
+    const Arc* arc = face.axis() == 0 ? nullptr : arc_beside(surface, x0, x0 + face.extent());
     face.drive = {.origin = to_vec(surface.to_space({x0, y0, 0})),
                   .inward = to_vec(inward),
                   .segment_width = face.cells_per_segment * width,
                   .segments = face.segments,
                   .strip_begin = (settings.buffer - settings.strip) * d,
                   .strip_end = (settings.buffer + settings.strip) * d,
-                  .bend = face.axis() == 0 ? Bend{} : bend_of(surface, x0, x0 + face.extent(), y0)};
-    const bool bends = face.drive.bend.length > 0;
-    face.drive.along = face.axis() == 0 ? Vec{0, 1, 0} : to_vec(surface.tangent(bends ? surface.arc_begin() : x0));
+                  .bend = arc ? bend_of(surface, *arc, x0, y0) : Bend{}};
+    face.drive.along = face.axis() == 0 ? Vec{0, 1, 0} : to_vec(surface.tangent(arc ? arc->begin : x0));
     faces_.push_back(face);
   };
 

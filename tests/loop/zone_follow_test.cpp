@@ -103,9 +103,13 @@ TEST(ZoneFollow, TakesASecondSurgeAsTheFirst) {
   EXPECT_NEAR(second / first, 1, 0.15);
 }
 
-TEST(SeveralZones, EachObstacleHasItsOwnEngine) {
+class SeveralZones : public testing::TestWithParam<Overrides> {};
+
+TEST_P(SeveralZones, EachObstacleHasItsOwnEngine) {
+  Overrides zones = GetParam();
   const Scene scene = small_scene("coupled", {{"terrain.length", "1.3 m"},
-                                              {"grains.zone", "auto"},
+                                              zones[0],
+                                              zones[1],
                                               {"obstacles.wall.size", "[10 mm, 60 mm, 20 mm]"},
                                               {"obstacles.post", "{position: [1.1 m, 0], size: [10 mm, 40 mm, 20 mm]}"},
                                               {"duration", "0.75 s"}});
@@ -122,6 +126,14 @@ TEST(SeveralZones, EachObstacleHasItsOwnEngine) {
   EXPECT_GT(wall, 0);
   EXPECT_GT(post, 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Are, SeveralZones,
+                         testing::Values(Overrides{{"grains.zone", "auto"}, {"grains.zones", "[]"}},
+                                         Overrides{
+                                             {"grains.zone", "auto"},
+                                             {"grains.zones",
+                                              "[{x: [0.38 m, 0.6 m], y: [-60 mm, 60 mm]}, {x: [0.97 m, 1.2 m], y: [-60 mm, 60 "
+                                              "mm]}]"}}));
 
 }  // namespace
 }  // namespace couloir

@@ -70,6 +70,19 @@ TEST(ZonePlaces, OnTheRunout) {
                            "{wall: {position: [760 mm, 0], size: [10 mm, 60 mm, 40 mm]}}"));
 }
 
+// Over a brink, down an arc and onto a gentler slope: all within one zone, as wide as the domain.
+TEST(ZonePlaces, AcrossAProfile) {
+  Overrides set = on_chute("60 mm", "{x: [200 mm, 760 mm], y: [-100 mm, 100 mm]}",
+                           "{wall: {position: [640 mm, 0], size: [10 mm, 60 mm, 40 mm]}}");
+  set[0] = {
+      "terrain",
+      "{kind: profile, width: 200 mm, profile: [[0, 25 deg], [250 mm, 25 deg], [350 mm, 35 deg], [420 mm, 35 deg], [560 mm, "
+      "10 deg], [1 m, 0 deg]]}"};
+  set.push_back({"boundaries", "{left: wall, right: wall}"});
+  set.push_back({"duration", "0.4 s"});
+  holds("profile", set);
+}
+
 TEST(ZonePlaces, WithSeveralObstacles) {
   holds(
       "several",

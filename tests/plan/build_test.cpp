@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupling/plan/stiffness.hpp"
 #include "coupling/scene/release_shape.hpp"
 #include "plan_scenes.hpp"
 

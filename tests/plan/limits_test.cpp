@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "coupling/plan/build.hpp"
+#include "coupling/plan/stiffness.hpp"
 #include "coupling/scene/scene_error.hpp"
 #include "plan_scenes.hpp"
 

@@ -83,5 +83,22 @@ TEST(ShallowModel, TellsWhereGrainsAreCalledFor) {
   EXPECT_FALSE(none.zones.empty());
 }
 
+// 35 deg, then a brink of radius 0.2 m / 0.35, which a flow of 1.4 m/s or more leaves.
+TEST(ShallowModel, FailsOverABrinkThatTheFlowWouldLeave) {
+  const Scene scene = wall_scene({{"terrain",
+                                   "{kind: profile, width: 400 mm, profile: [[0, 30 deg], [0.9 m, 30 deg], [1.1 m, 50 deg], "
+                                   "[1.5 m, 50 deg], [1.8 m, 20 deg], [2 m, 20 deg]]}"}});
+  const auto verdicts = shallow_verdicts(scene);
+  std::vector<std::string> places;
+  for (const ShallowVerdict& v : verdicts) places.push_back(v.place);
+  ASSERT_THAT(places, testing::IsSupersetOf({"arc at 900 mm", "arc at 1.5 m"}));
+  const auto& brink = *std::ranges::find(verdicts, "arc at 900 mm", &ShallowVerdict::place);
+  const FlowEstimate flow = flow_estimate_at(scene, 0.9);
+  const double degree = 3.14159265358979 / 180;
+  EXPECT_EQ(brink.tests[1].name, "lift over weight");
+  EXPECT_NEAR(brink.tests[1].value, 20 * degree / 0.2 * flow.velocity * flow.velocity / (9.81 * std::cos(30 * degree)), 1e-9);
+  EXPECT_EQ(brink.tests[1].holds, brink.tests[1].value <= 1);
+}
+
 }  // namespace
 }  // namespace couloir

@@ -61,7 +61,8 @@ TEST_F(Report, OfOneRun) {
   const std::string text = without_pictures(page);
   EXPECT_LT(text.size(), 20000u);
   for (const char* wrong : {"http://", "https://", "None", "nan", "src=\"/", "href="}) EXPECT_THAT(text, Not(HasSubstr(wrong)));
-  for (const char* name : {"top.png", "side.png", "forces.png", "control_volume.png", "spectrum.png", "ledger.png", "counts.png"})
+  for (const char* name :
+       {"top.png", "terrain.png", "side.png", "forces.png", "control_volume.png", "spectrum.png", "ledger.png", "counts.png"})
     expect_picture(folder / (std::string("a/report/") + name));
 }
 

@@ -253,6 +253,47 @@ TEST_F(Check, Zone) {
             at + "grains.zone.x starts at 10 mm: upstream of the zone the driven layer of grains needs 3 diameters (15 mm)");
 }
 
+TEST_F(Check, SeveralZonesKeepClearOfEachOther) {
+  const auto with = [&](const std::string& boxes) { return error(good_scene, {{"grains.zones", boxes}}); };
+  const std::string first = "{x: [1, 1.4], y: [-0.2, 0.2]}", at = "--set grains.zones: grains.zones";
+  EXPECT_EQ(with("[" + first + ", {x: [1.6, 1.8], y: [-0.2, 0.2]}]"), "");
+  EXPECT_EQ(
+      with("[" + first + ", {x: [1.5, 1.8], y: [-0.2, 0.2]}]"),
+      at + "[1] is only 100 mm from grains.zones[0]: zones need 30 grain diameters (150 mm) between them; move them apart, or "
+           "give one box around both");
+  EXPECT_EQ(with("[" + first + ", {x: [1.3, 1.8], y: [-0.2, 0.2]}]"),
+            at + "[1] is no way from grains.zones[0]: zones need 30 grain diameters (150 mm) between them; move them apart, or "
+                 "give one box around both");
+  EXPECT_EQ(with("[" + first + ", {x: [1.6, 2.8], y: [-0.2, 0.2]}]"),
+            at + "[1] reaches out of the domain (x from 0 to 2 m, y from -250 mm to 250 mm)");
+  EXPECT_EQ(error(good_scene, {{"grains.zone", first}, {"grains.zones", "[{x: [1.6, 1.8], y: [-0.2, 0.2]}]"}}),
+            "--set grains.zones: grains.zones gives boxes, and grains.zone one more; put them all into grains.zones");
+  EXPECT_EQ(with("[]"), "") << "automatic";
+}
+
+TEST_F(Check, Profile) {
+  const auto with = [&](const std::string& rows) {
+    return error(good_scene, {{"terrain", "{kind: profile, width: 0.5 m, profile: " + rows + "}"}});
+  };
+  const std::string at = "--set terrain: terrain.profile";
+  EXPECT_EQ(with("[[0, 35 deg], [1.4 m, 35 deg], [1.6 m, 10 deg], [2 m, -5 deg]]"), "");
+  EXPECT_EQ(with("[[0, 35 deg]]"), at + " has 1 rows; give at least 2");
+  EXPECT_EQ(with("[[0.1, 35 deg], [2 m, 35 deg]]"), at + " begins at 100 mm; its first row must be at x = 0");
+  EXPECT_EQ(with("[[0, 35 deg], [1.6 m, 35 deg], [1.4 m, 10 deg]]"), at + " has a row at 1.4 m after one at 1.6 m; x must rise");
+  EXPECT_EQ(with("[[0, 35 deg], [2 m, 90 deg]]"), at + " has an angle of 90 deg at x = 2 m; give one from -89 to 89 deg");
+  EXPECT_EQ(with("[[0, 60 deg], [2 m, -40 deg]]"),
+            at + " turns from -40 deg to 60 deg; a terrain's angles must lie within 90 deg of each other");
+  EXPECT_EQ(
+      with("[[0, 35 deg], [1.4 m, 35 deg], [1.42 m, 5 deg], [2 m, 5 deg]]"),
+      at + " has an arc at x = 1.4 m of 20 mm, a radius of 38.1972 mm, no larger than the flow's greatest depth 100 mm: depths "
+           "are measured along normals, which meet inside such a flow; use a longer arc");
+  EXPECT_THAT(with("[[0, 0.6], [2 m, 30 deg]]"), testing::HasSubstr("unit"));
+  EXPECT_EQ(error(good_scene, {{"mode", "continuum"},
+                               {"terrain", "{kind: profile, width: 0.5 m, profile: [[0, 30 deg], [2 m, 35 deg]]}"},
+                               {"boundaries", "{upstream: periodic, downstream: periodic}"}}),
+            "--set boundaries: boundaries.upstream is periodic on a profile with arcs; use wall or outflow");
+}
+
 TEST_F(Check, PeriodicSidesInPairs) {
   EXPECT_EQ(error(replaced(good_scene, "left: wall", "left: periodic")),
             "scene.yaml:7: boundaries.left is periodic, but boundaries.right is not; periodic sides come in pairs");

@@ -47,7 +47,7 @@ TEST_F(Reader, FillsInDefaults) {
   EXPECT_EQ(s.continuum.closure, "active_passive");
   EXPECT_EQ(s.grains.engine, "liggghts");
   EXPECT_EQ(s.grains.seed, blank.grains.seed);
-  EXPECT_FALSE(s.grains.zone);
+  EXPECT_TRUE(s.grains.zones.empty());
   EXPECT_EQ(s.record.frames, blank.record.frames);
 }
 
@@ -64,9 +64,9 @@ TEST_F(Reader, ReadsInflowAndZoneBox) {
   EXPECT_EQ(s.sides[0].kind, SideSpec::Kind::inflow);
   EXPECT_EQ(s.sides[0].depth, 0.04);
   EXPECT_EQ(s.sides[0].velocity, 2);
-  ASSERT_TRUE(s.grains.zone);
-  EXPECT_EQ(s.grains.zone->x1, 1.4);
-  EXPECT_EQ(s.grains.zone->y0, -0.2);
+  ASSERT_EQ(s.grains.zones.size(), 1u);
+  EXPECT_EQ(s.grains.zones[0].x1, 1.4);
+  EXPECT_EQ(s.grains.zones[0].y0, -0.2);
 }
 
 TEST_F(Reader, ReadsInflowsAndGauges) {

@@ -56,7 +56,8 @@ class SceneScales : public SceneFixture {
     return {};
   }
   static bool belongs(const Scene& scene, const Key& key) {
-    if (key.path.starts_with("grains.zone.") && !scene.grains.zone) return false;
+    const bool of_box = key.parent() == "grains.zone" || key.parent() == "grains.zones.*";
+    if (of_box && scene.grains.zones.empty()) return false;
     if (key.selector.empty()) return true;
     const auto word = std::get<std::string>(schema_key(key.parent() + "." + key.selector).get(scene, 0));
     return std::ranges::count(key.selected, word) > 0;
@@ -66,6 +67,7 @@ class SceneScales : public SceneFixture {
 TEST_F(SceneScales, EveryBareQuantityIsScaled) {
   compare({});
   compare({{"terrain", "{kind: incline, angle: 35 deg, length: 3, width: 0.8}"}});
+  compare({{"terrain", "{kind: profile, profile: [[0, 35 deg], [2.5, 35 deg], [3, 0 deg]], width: 0.8}"}});
   compare({{"release", "{kind: ellipsoid, centre: [0.4, 0.02], semi_axes: [0.3, 0.2, 0.1], mass: 0.01}"}, {"mode", "continuum"}});
   compare({{"release", "{kind: block, position: [0.1, 0.01], length: 0.3, width: 0.2, height: 0.1, velocity_across: 0.5}"}});
   compare({{"continuum.refine", "[{x: [0.5, 0.75], y: [-0.1, 0.2]}]"}});

@@ -9,7 +9,8 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
   const std::string cases[] = {
       good_scene,
       "title: 'a \"quoted\" \\ title: #1'\n" + good_scene,
-      replaced(good_scene, "  diameter", "  zone: {x: [1 m, 1.4 m], y: [-0.2, 0.2]}\n  timestep: 0.01 ms\n  skin: 1 mm\n  diameter"),
+      replaced(good_scene, "  diameter",
+               "  zone: {x: [1 m, 1.4 m], y: [-0.2, 0.2]}\n  timestep: 0.01 ms\n  skin: 1 mm\n  diameter"),
       replaced(good_scene, "left: wall, right: wall",
                "left: periodic, right: periodic, upstream: {inflow: {depth: 40 mm, velocity: 2}}"),
       replaced(good_scene, "kind: block, position: [0.1 m, 0], length: 300 mm, width: 200 mm, height: 100 mm",
@@ -61,7 +62,7 @@ TEST_F(Writer, ReadsBackWhatItWrites) {
     EXPECT_EQ(second.sides[0].gate, first.sides[0].gate);
     EXPECT_EQ(second.record.gauges.size(), first.record.gauges.size());
     EXPECT_EQ(second.continuum.curvature, first.continuum.curvature);
-    EXPECT_EQ(second.grains.zone.has_value(), first.grains.zone.has_value());
+    EXPECT_EQ(second.grains.zones.size(), first.grains.zones.size());
     EXPECT_EQ(second.grains.timestep, first.grains.timestep);
     EXPECT_EQ(second.grains.skin, first.grains.skin);
     EXPECT_EQ(second.grains.rotation, first.grains.rotation);
