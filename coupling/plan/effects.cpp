@@ -35,7 +35,7 @@ struct Listing {
   std::string mode = fmt::format("mode is {}", to_string(s.mode));
 
   Effect depth_averaged_flow() const {
-    if (!continuum && s.fed()) return {"depth_averaged_flow", true, mode + ": on the strip that brings the inflow, nowhere else"};
+    if (feeds_grains_alone(s)) return {"depth_averaged_flow", true, mode + ": on the strip that brings the inflow, nowhere else"};
     return {"depth_averaged_flow", continuum, continuum ? mode : mode + ": grains carry the whole flow"};
   }
 
@@ -244,7 +244,7 @@ struct Listing {
   }
 
   Effect coupling() const {
-    if (!continuum && s.fed()) return {"coupling", true, mode + ": the strip that brings the inflow hands it to the grains"};
+    if (feeds_grains_alone(s)) return {"coupling", true, mode + ": the strip that brings the inflow hands it to the grains"};
     if (!coupled) return {"coupling", false, mode + ": one model alone"};
     return {"coupling", true,
             !s.grains.zones.empty() ? "mode is coupled, with the zone that the scene gives"

@@ -147,7 +147,7 @@ PlannedZone all_but_inflows(const Scene& scene) {
 }  // namespace
 
 std::vector<PlannedZone> planned_zones(const Scene& scene) {
-  if (scene.mode == Mode::grains && scene.fed()) return {all_but_inflows(scene)};
+  if (feeds_grains_alone(scene)) return {all_but_inflows(scene)};
   const Grid grid = grid_of(scene);
   std::vector<PlannedZone> zones;
   for (const ZoneBox& box : scene.grains.zones)

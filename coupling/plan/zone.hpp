@@ -32,8 +32,11 @@ struct PlannedZone {
 // Mode grains with an inflow: the whole domain but a strip along each side through which material comes in. There a shallow flow
 // brings it to the grains: four cells, and room for the driven layer.
 std::vector<PlannedZone> planned_zones(const Scene&);
+inline bool feeds_grains_alone(const Scene& s) {
+  return s.mode == Mode::grains && s.fed();
+}
 inline bool has_zones(const Scene& s) {
-  return s.mode == Mode::coupled || (s.mode == Mode::grains && s.fed());
+  return s.mode == Mode::coupled || feeds_grains_alone(s);
 }
 
 // Whether some zone holds the whole obstacle; whether all leave it out.

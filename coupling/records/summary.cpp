@@ -107,7 +107,7 @@ void Summary::on_start(const RunStart& start) {
   cells_ = long(start.grid.nx) * start.grid.ny;
   effects_ = start.effects;
   obstacles_.clear(), gauges_.clear(), measures_.clear();
-  for (const std::string& name : start.obstacles) obstacles_.push_back({name, {}});
+  for (const std::string& name : start.obstacles) obstacles_.emplace_back().name = name;
   if (has_continuum_)
     for (const GaugeSpec& gauge : scene.record.gauges) gauges_.push_back({gauge.name, GaugeSeries(arrival_depth(scene))});
   for (const ForceMeasure& m : start.measures) measures_.push_back({m, {}, 0});

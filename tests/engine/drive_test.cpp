@@ -321,7 +321,9 @@ TEST_P(Raft, GoesOnBehindARimThatMoved) {
   for (std::size_t i = 0; i < after.grains.size(); ++i) {
     const bool named =
         std::any_of(to.driven.begin(), to.driven.end(), [&](const Regrouped& g) { return g.id == after.grains.id[i]; });
-    if (after.grains.driven[i]) EXPECT_TRUE(named) << "grain " << after.grains.id[i];
+    if (after.grains.driven[i]) {
+      EXPECT_TRUE(named) << "grain " << after.grains.id[i];
+    }
     if (named && after.grains.x[i] < to.faces[0].origin[0]) {
       EXPECT_TRUE(after.grains.driven[i]);
       EXPECT_NEAR(after.grains.x[i], before.grains.x[i] + after.segments[0][0].displacement, 1e-12);

@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Are, SeveralZones,
                                          Overrides{
                                              {"grains.zone", "auto"},
                                              {"grains.zones",
-                                              "[{x: [0.38 m, 0.6 m], y: [-60 mm, 60 mm]}, {x: [0.97 m, 1.2 m], y: [-60 mm, 60 "
+                                              "[{x: [0.27 m, 0.5 m], y: [-60 mm, 60 mm]}, {x: [0.97 m, 1.2 m], y: [-60 mm, 60 "
                                               "mm]}]"}}));
 
 }  // namespace

@@ -1,0 +1,1 @@
+// Precompiled headers belong to some target: this one.
