@@ -53,6 +53,23 @@ int pieces(double length, double size) {
   return std::max(1, int(std::ceil(std::abs(length) / size - 1e-9)));
 }
 
+// Shares of the way from x0 to x1 with an edge of the bed at each, so that none is longer than `size` and none leaves an arc by
+// more than `off`: grains are laid on the arc itself, and would be pressed into a chord.
+std::vector<double> along_the_bed(const ReferenceSurface& surface, double x0, double x1, double size, double off) {
+  std::vector<double> ends{x0};
+  for (const Arc& arc : surface.arcs())
+    for (const double x : {arc.begin, arc.begin + arc.length})
+      if (x > ends.back() + 1e-3 * size && x < x1 - 1e-3 * size) ends.push_back(x);
+  ends.push_back(x1);
+  std::vector<double> lines{0};
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const double bend = std::abs(surface.curvature(0.5 * (ends[k] + ends[k + 1])));
+    const int n = pieces(ends[k + 1] - ends[k], bend > 0 ? std::min(size, std::sqrt(8 * off / bend)) : size);
+    for (int i = 1; i <= n; ++i) lines.push_back((ends[k] + (ends[k + 1] - ends[k]) * i / n - x0) / (x1 - x0));
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::vector<Triangle> bed_mesh(const ReferenceSurface& surface, const Patch& p, double size) {
@@ -62,7 +79,7 @@ std::vector<Triangle> bed_mesh(const ReferenceSurface& surface, const Patch& p, 
       [&](double a, double b) {
         return surface.to_space({p.x0 + a * (p.x1 - p.x0), p.y0 + b * (p.y1 - p.y0), 0});
       },
-      pieces(p.x1 - p.x0, size), pieces(p.y1 - p.y0, size));
+      along_the_bed(surface, p.x0, p.x1, size, 1e-3 * size), even(pieces(p.y1 - p.y0, size)));
   return out;
 }
 
@@ -129,12 +146,27 @@ ObstacleMesh obstacle_mesh(const ReferenceSurface& surface, const ObstacleSpec& 
 
 std::vector<Triangle> side_mesh(const ReferenceSurface& surface, double x0, double x1, double y, double height, double size) {
   std::vector<Triangle> out;
+  const bool bends = std::ranges::any_of(surface.arcs(), [&](const Arc& a) { return x0 < a.begin + a.length && a.begin < x1; });
+  if (!bends) {
+    sheet(
+        out,
+        [&](double a, double b) {
+          return surface.to_space({x0 + a * (x1 - x0), y, b * height});
+        },
+        pieces(x1 - x0, size), pieces(height, size));
+    return out;
+  }
+  // Above an arc normals meet, and lines along them would cross: the rectangle around it all, which reaches below the bed.
+  Eigen::Vector3d lo = surface.to_space({x0, y, 0}), hi = lo;
+  const int stations = 64;
+  for (int i = 0; i <= stations; ++i)
+    for (const double n : {0.0, height}) {
+      const Eigen::Vector3d p = surface.to_space({x0 + (x1 - x0) * i / stations, y, n});
+      lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
+    }
   sheet(
-      out,
-      [&](double a, double b) {
-        return surface.to_space({x0 + a * (x1 - x0), y, b * height});
-      },
-      pieces(x1 - x0, size), pieces(height, size));
+      out, [&](double a, double b) { return Eigen::Vector3d(lo.x() + a * (hi.x() - lo.x()), y, lo.z() + b * (hi.z() - lo.z())); },
+      pieces(hi.x() - lo.x(), size), pieces(hi.z() - lo.z(), size));
   return out;
 }
 

@@ -13,7 +13,7 @@ struct Patch {
   double x0, x1, y0, y1;  // [m] reference coordinates
 };
 
-// The bed under a patch; edges at most `size` [m] long.
+// The bed under a patch; edges at most `size` [m] long, and within a thousandth of it from an arc.
 std::vector<Triangle> bed_mesh(const ReferenceSurface&, const Patch&, double size);
 // An obstacle's triangles: those of each of its stress gauges, and all others.
 struct ObstacleMesh {
@@ -32,7 +32,7 @@ std::vector<Triangle> body_mesh(const ReferenceSurface&, const ObstacleSpec&, do
 // Whichever of them the obstacle is; only a cuboid has gauges.
 ObstacleMesh obstacle_mesh(const ReferenceSurface&, const ObstacleSpec&, double size,
                            const std::vector<StressGaugeSpec>& gauges = {});
-// A wall that stands on the bed along y = const from x0 to x1, or along x = const from y0 to y1; `height` [m].
+// A wall that stands on the bed (beside an arc: reaches below it) along y = const from x0 to x1, or along x = const from y0 to y1; `height` [m].
 std::vector<Triangle> side_mesh(const ReferenceSurface&, double x0, double x1, double y, double height, double size);
 std::vector<Triangle> end_mesh(const ReferenceSurface&, double x, double y0, double y1, double height, double size);
 

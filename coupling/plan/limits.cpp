@@ -92,12 +92,18 @@ void check_window(const Scene& scene, const Plan& plan) {
 
 // On cell lines the zone may cut what the scene's own box held.
 void check_zone(const Scene& scene, const Plan& plan) {
-  for (const PlannedZone& zone : plan.zones)
-    if (!layers_can_follow(scene, zone.cells))
-      fail(scene, "grains.zone",
-           "has a side along the slope, x from {:.6g} to {:.6g} m, beside a brink or more than one arc of the terrain, where its "
-           "driven layer cannot follow the bed; make it as wide as the domain, or end it between the arcs",
-           zone.box.x0, zone.box.x1);
+  const std::vector<ZoneBox>& boxes = scene.grains.zones;
+  for (std::size_t n = 0; n < plan.zones.size(); ++n) {
+    const PlannedZone& zone = plan.zones[n];
+    if (layers_can_follow(scene, zone.cells)) continue;
+    const double half = scene.terrain.width / 2;
+    fail(scene, boxes.size() > 1 ? fmt::format("grains.zones[{}]", n) : "grains.zone",
+         "{} a side along the slope, x from {:.6g} to {:.6g} m, beside a brink or more than one arc of the terrain, where its "
+         "driven "
+         "layer cannot follow the bed; make it as wide as the domain, y: [{:.6g} m, {:.6g} m]{}",
+         boxes.empty() ? "is auto and would have" : "has", zone.box.x0, zone.box.x1, -half, half,
+         boxes.empty() ? fmt::format(", with that x") : ", or end it between the arcs");
+  }
   for (const PlannedZone& zone : plan.zones)
     for (const ObstacleSpec& o : scene.obstacles) {
       const ZoneBox& z = zone.box;

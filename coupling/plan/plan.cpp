@@ -250,8 +250,8 @@ void warn(Plan& plan, const Scene& scene) {
   warn_of_hand_set(scene, say);
   warn_of_impacts(plan, scene, say);
   if (plan.at_obstacle.depth < 3 * d) {
-    say(fmt::format("The flow at the obstacle is expected to be {:.3g} mm deep, less than three grains of {}.",
-                    plan.at_obstacle.depth * 1e3, len(d)));
+    say(fmt::format("The flow at the {} is expected to be {:.3g} mm deep, less than three grains of {}.",
+                    scene.obstacles.empty() ? "terrain's end" : "obstacle", plan.at_obstacle.depth * 1e3, len(d)));
   }
   const auto grains = plan.grains[static_cast<std::size_t>(scene.mode)];
   if (grains > 200000) say(fmt::format("About {} grains at once will be slow; larger grains or a smaller zone help.", grains));
@@ -305,6 +305,7 @@ Plan make_plan(const Scene& asked) {
       Scene coupled = scene;
       coupled.mode = Mode::coupled;
       for (const PlannedZone& zone : planned_zones(coupled)) volume += volume_in_zone(scene, zone.box, plan.at_obstacle);
+      if (!scene.fed()) volume = std::min(volume, release_volume(scene));
       plan.grains[static_cast<std::size_t>(Mode::coupled)] = grains_in(scene, volume);
     }
   }

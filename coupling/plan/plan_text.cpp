@@ -94,9 +94,9 @@ std::string plan_text(const Plan& plan) {
   if (plan.engine_dt > 0) {
     out += fmt::format("grains     about {} at once; {} engine steps of {:.3g} us\n",
                        plan.grains[static_cast<std::size_t>(plan.mode)], plan.engine_steps, plan.engine_dt * 1e6);
-    out +=
-        fmt::format("           of {:g} MPa: in a bunch at up to {:.3g} m/s they overlap by at most {:.2g} of their diameter\n",
-                    plan.youngs_modulus * 1e-6, plan.impact_speed, plan.bunch_overlap);
+    out += fmt::format(
+        "           of {:g} MPa: in a bunch at the expected {:.3g} m/s they overlap by about {:.2g} of their diameter\n",
+        plan.youngs_modulus * 1e-6, plan.impact_speed, plan.bunch_overlap);
   }
   for (const std::string& gauge : plan.stress_gauges) out += "gauge      " + gauge + "\n";
   out += fmt::format("cost       about {} (continuum {}, engine {}), {:.0f} MB; within a factor of {}\n", seconds(plan.time),

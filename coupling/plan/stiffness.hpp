@@ -7,7 +7,8 @@
 namespace couloir {
 
 // [m/s] at which grains are expected to meet what stands in their way: release, inflows, and the expected flow with its waves,
-// u + sqrt(g h), as far as the last obstacle or the scene's last zone; without either down to the terrain's end.
+// u + sqrt(g h), as far as the last obstacle or the scene's last zone; without either down to the terrain's end. The same in all
+// modes, so that their grains can be compared: what grains alone do beyond is left out.
 double impact_speed(const Scene&);
 
 // [d] by which two of the scene's grains that meet at `speed` [m/s] overlap, by Hertz:

@@ -94,7 +94,8 @@ ShallowVerdict shallow_verdict(const Scene& scene, const ObstacleSpec& o) {
 std::vector<ShallowVerdict> shallow_verdicts(const Scene& scene) {
   std::vector<ShallowVerdict> out;
   for (const ObstacleSpec& o : scene.obstacles) out.push_back(shallow_verdict(scene, o));
-  const double reached = flow_estimate(scene).back().x;
+  const std::vector<FlowEstimate> line = flow_estimate(scene);
+  const double reached = line.back().x;
   const std::vector<TerrainArc> arcs = scene.terrain.arcs();
   for (const TerrainArc& arc : arcs) {
     if (reached < arc.begin) break;
@@ -102,9 +103,13 @@ std::vector<ShallowVerdict> shallow_verdicts(const Scene& scene) {
     ShallowVerdict bend{
         arcs.size() == 1 ? "arc" : fmt::format("arc at {}", short_quantity(arc.begin, Dimension::length)), false, {}};
     bend.tests.push_back(at_most("curvature times depth", std::abs(arc.curvature()) * flow.depth, most_curvature));
-    if (arc.turn < 0) {
-      const double pull = scene.gravity * std::cos(reference_surface(scene).angle(arc.begin));
-      bend.tests.push_back(at_most("lift over weight", -arc.curvature() * flow.velocity * flow.velocity / pull, most_lift));
+    if (arc.turn < 0) {  // faster and steeper towards its end
+      double lift = 0;
+      for (const FlowEstimate& f : line)
+        if (f.x >= arc.begin && f.x <= arc.begin + arc.length)
+          lift = std::max(
+              lift, -arc.curvature() * f.velocity * f.velocity / (scene.gravity * std::cos(reference_surface(scene).angle(f.x))));
+      bend.tests.push_back(at_most("lift over weight", lift, most_lift));
     }
     add_grains(bend, scene, flow);
     out.push_back(bend);

@@ -84,8 +84,9 @@ PlannedZone around(const Scene& scene, const std::vector<ObstacleSpec>& obstacle
 }
 
 // Whether the layers and buffers of two zones would meet.
-bool too_near(const ZoneBox& a, const ZoneBox& b, double d) {
-  const double gap = 40 * d;
+bool too_near(const ZoneBox& a, const ZoneBox& b, const Scene& scene) {
+  const double gap = 40 * scene.grains.diameter;
+  if (scene.sides[2].kind == SideSpec::Kind::periodic) return a.x0 - gap < b.x1 && b.x0 < a.x1 + gap;  // both ways round
   return a.x0 - gap < b.x1 && b.x0 < a.x1 + gap && a.y0 - gap < b.y1 && b.y0 < a.y1 + gap;
 }
 
@@ -111,7 +112,7 @@ std::vector<PlannedZone> automatic(const Scene& scene) {
   }
   for (std::size_t a = 0; a < zones.size();) {
     std::size_t b = a + 1;
-    while (b < zones.size() && !too_near(zones[a].box, zones[b].box, scene.grains.diameter)) ++b;
+    while (b < zones.size() && !too_near(zones[a].box, zones[b].box, scene)) ++b;
     if (b == zones.size()) {
       ++a;
       continue;

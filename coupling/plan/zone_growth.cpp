@@ -63,9 +63,12 @@ class Lines {
     for (const ObstacleSpec& o : scene_.obstacles)
       if (!own.holds(o) && !box.apart(o)) return false;
     const int gap_x = cells(30 * d, grid_.dx), gap_y = cells(30 * d, grid_.dy);  // layers, buffers
+    const bool periodic = scene_.sides[2].kind == SideSpec::Kind::periodic;
     for (const CellBox& other : others_)
-      if (to.i0 - gap_x < other.i1 && other.i0 < to.i1 + gap_x && to.j0 - gap_y < other.j1 && other.j0 < to.j1 + gap_y)
-        return false;
+      for (const int shift : {-grid_.ny, 0, grid_.ny})
+        if ((shift == 0 || periodic) && to.i0 - gap_x < other.i1 && other.i0 < to.i1 + gap_x &&
+            to.j0 - gap_y < other.j1 + shift && other.j0 + shift < to.j1 + gap_y)
+          return false;
     if (!layers_can_follow(scene_, to)) return false;
     widest_ = to;
     return true;

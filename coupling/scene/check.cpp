@@ -97,7 +97,7 @@ struct Checker {
     if (scene.terrain.kind != TerrainSpec::Kind::profile) return;
     const auto& rows = scene.terrain.profile;
     const auto ang = [](double value) { return short_quantity(value, Dimension::angle); };
-    if (rows.size() < 2) fail("terrain.profile", "has {} rows; give at least 2", rows.size());
+    if (rows.size() < 2) fail("terrain.profile", "has {} row; give at least 2", rows.size());
     if (rows.front().x != 0) fail("terrain.profile", "begins at {}; its first row must be at x = 0", len(rows.front().x));
     for (std::size_t k = 0; k < rows.size(); ++k) {
       if (k > 0 && !(rows[k].x > rows[k - 1].x))

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "coupling/scene/scene_error.hpp"
 #include "coupling/scene/units.hpp"
@@ -66,10 +67,16 @@ struct ZoneChecker {
   }
 
   void clear_of(const ZoneBox& other, const std::string& other_key) const {
-    const double gap = std::max({other.x0 - z.x1, z.x0 - other.x1, other.y0 - z.y1, z.y0 - other.y1});
+    const bool periodic = scene.sides[2].kind == SideSpec::Kind::periodic;
+    double gap = std::numeric_limits<double>::infinity();
+    for (const double shift : {-2 * half, 0.0, 2 * half}) {
+      if (shift != 0 && !periodic) continue;
+      gap = std::min(gap, std::max({other.x0 - z.x1, z.x0 - other.x1, other.y0 + shift - z.y1, z.y0 - other.y1 - shift}));
+    }
     if (gap >= zone_apart * d - room) return;
-    fail("", "is {} {}: zones need {} grain diameters ({}) between them; move them apart, or give one box around both",
-         gap > 0 ? "only " + len(gap) + " from" : "no way from", other_key, zone_apart, len(zone_apart * d));
+    fail("", "is {} {}: zones need {} grain diameters ({}) between them{}; move them apart, or give one box around both",
+         gap > room ? "only " + len(gap) + " from" : "no way from", other_key, zone_apart, len(zone_apart * d),
+         periodic ? ", also across periodic sides" : "");
   }
 };
 
@@ -102,8 +109,10 @@ void check_zones(const Scene& scene) {
     return std::ranges::any_of(boxes, [&](const ZoneBox& z) { return z.holds(o); });
   };
   if (!scene.obstacles.empty() && !std::ranges::any_of(scene.obstacles, held)) {
-    throw SceneError(fmt::format("{}: {} holds none of the scene's obstacles; move it, or use zone: auto",
-                                 scene.places.of(key_of(0)), key_of(0)));
+    const bool one = boxes.size() == 1;
+    const std::string key = one ? key_of(0) : "grains.zones";
+    throw SceneError(fmt::format("{}: {} {} of the scene's obstacles; move {}, or use zone: auto", scene.places.of(key), key,
+                                 one ? "holds none" : "hold none", one ? "it" : "one of them"));
   }
 }
 

@@ -97,6 +97,11 @@ void apply_override(Node& document, const std::string& key, const std::string& t
   if (path.empty() || key.back() == '.')
     throw SceneError(fmt::format("{}: the key has an empty part; write it like grains.seed", place));
   *node = parse_value(text, place);
+  // Zones are given by one of two keys: the one that is set takes the place of the other.
+  const std::string zone = "grains.zone", zones = "grains.zones", whole = path.substr(0, path.find_first_of(".[", zone.size()));
+  if (whole == zone || whole == zones)
+    std::erase_if(document.entry("grains").entries,
+                  [&](const auto& e) { return "grains." + e.first == (whole == zone ? zones : zone); });
 }
 
 // The scene whose text this one holds, which stands in `file`.

@@ -9,6 +9,7 @@ namespace {
 CalibrationRecord found() {
   CalibrationRecord r;
   r.diameter = 0.005;
+  r.youngs_modulus = 5e6;
   r.grains = {1, 0.4, 0.53, 0.15};
   r.delta = {28, 27.96, 0.12, true};
   r.phi = {40, 32.5, 0.3, false};
@@ -38,6 +39,7 @@ grains:
   rolling_friction: 0.4
   base_friction: 0.53
   base_rolling_friction: 0.15
+  youngs_modulus: 5 MPa
   restitution: 0.6
   # of the wall
   wall_friction: 0.4

@@ -25,6 +25,31 @@ TEST(Meshes, BedCoversItsPatch) {
 TEST(Meshes, BedFollowsTheArc) {
   const auto surface = ReferenceSurface::chute(0.7, 0.9, 0.15, 0.8);
   EXPECT_NEAR(area(bed_mesh(surface, {0.9, 1.05, 0, 1}, 0.005)), 0.15, 1e-4);
+  const double size = 0.04;
+  for (const Triangle& t : bed_mesh(surface, {0.8, 1.2, 0, 0.1}, size)) {
+    const SurfacePoint middle = surface.to_surface({(t.a[0] + t.c[0]) / 2, 0, (t.a[2] + t.c[2]) / 2});
+    EXPECT_LE(std::abs(middle.n), 1.01e-3 * size)
+        << "grains that are laid on the arc would be pressed into it at x = " << middle.x;
+  }
+}
+
+// Radius 0.21 m, the wall 0.4 m high: lines along the normals would cross.
+TEST(Meshes, ASideWallAboveATightArcIsOneSheet) {
+  const auto surface = ReferenceSurface::chute(0.7, 0.3, 0.15, 0.3);
+  const auto mesh = side_mesh(surface, 0.1, 0.7, 0.05, 0.4, 0.03);
+  double low = 1, high = -1, first = 1, last = -1, sum = area(mesh);
+  for (const Triangle& t : mesh)
+    for (const Vec* p : {&t.a, &t.b, &t.c}) {
+      EXPECT_EQ((*p)[1], 0.05);
+      first = std::min(first, (*p)[0]), last = std::max(last, (*p)[0]), low = std::min(low, (*p)[2]),
+      high = std::max(high, (*p)[2]);
+    }
+  EXPECT_NEAR(sum, (last - first) * (high - low), 1e-12) << "no part of it twice";
+  for (const double x : {0.1, 0.35, 0.7})
+    for (const double n : {0.0, 0.4}) {
+      const Eigen::Vector3d p = surface.to_space({x, 0.05, n});
+      EXPECT_TRUE(p.x() >= first - 1e-12 && p.x() <= last + 1e-12 && p.z() >= low - 1e-12 && p.z() <= high + 1e-12);
+    }
 }
 
 TEST(Meshes, CuboidHasFiveFacesAndStandsOnTheBed) {

@@ -70,6 +70,24 @@ TEST(ZonePlaces, OnTheRunout) {
                            "{wall: {position: [760 mm, 0], size: [10 mm, 60 mm, 40 mm]}}"));
 }
 
+// Grains are laid on the arc itself: chords of the bed would hold them there, and the flow would dam up before the face.
+TEST(ZonePlaces, AFaceOnTheArcLetsTheFlowIn) {
+  const auto impulse = [](const std::string& from) {
+    Overrides set = on_chute("60 mm", "{x: [" + from + ", 600 mm], y: [-100 mm, 100 mm]}",
+                             "{wall: {position: [510 mm, 0], size: [10 mm, 80 mm, 40 mm]}}");
+    set.push_back({"boundaries", "{left: wall, right: wall}"});
+    set.push_back({"grains.follow", "off"});
+    set.push_back({"duration", "0.3 s"});
+    double sum = 0;
+    const Watched run = watch(small_scene("coupled", set), options_in(fresh_folder("face_on_arc")));
+    for (const WindowReport& w : run.windows) sum += w.obstacles[0].force[0] * w.length;
+    return sum;
+  };
+  const double before = impulse("280 mm"), on = impulse("380 mm");
+  std::printf("impulse on the wall: %.4f N s with a face before the arc, %.4f N s with one on it\n", before, on);
+  EXPECT_NEAR(on / before, 1, 0.2);
+}
+
 // Over a brink, down an arc and onto a gentler slope: all within one zone, as wide as the domain.
 TEST(ZonePlaces, AcrossAProfile) {
   Overrides set = on_chute("60 mm", "{x: [200 mm, 760 mm], y: [-100 mm, 100 mm]}",

@@ -266,8 +266,17 @@ TEST_F(Check, SeveralZonesKeepClearOfEachOther) {
                  "give one box around both");
   EXPECT_EQ(with("[" + first + ", {x: [1.6, 2.8], y: [-0.2, 0.2]}]"),
             at + "[1] reaches out of the domain (x from 0 to 2 m, y from -250 mm to 250 mm)");
-  EXPECT_EQ(error(good_scene, {{"grains.zone", first}, {"grains.zones", "[{x: [1.6, 1.8], y: [-0.2, 0.2]}]"}}),
-            "--set grains.zones: grains.zones gives boxes, and grains.zone one more; put them all into grains.zones");
+  const std::string both = "{diameter: 5 mm, zone: " + first + ", zones: [{x: [1.6, 1.8], y: [-0.2, 0.2]}]}";
+  EXPECT_EQ(error(good_scene, {{"grains", both}}),
+            "--set grains: grains.zones gives boxes, and grains.zone one more; put them all into grains.zones");
+  EXPECT_EQ(read(good_scene, {{"grains", both}, {"grains.zone", "auto"}}).grains.zones.size(), 0u) << "what is set last counts";
+  EXPECT_EQ(read(good_scene, {{"grains.zone", "auto"}, {"grains.zones", "[" + first + "]"}}).grains.zones.size(), 1u);
+  EXPECT_EQ(
+      error(good_scene, {{"boundaries", "{left: periodic, right: periodic}"},
+                         {"grains.zones", "[{x: [1, 1.4], y: [-0.25, -0.1]}, {x: [1, 1.4], y: [0.1, 0.25]}]"},
+                         {"obstacles", "{}"}}),
+      at + "[1] is no way from grains.zones[0]: zones need 30 grain diameters (150 mm) between them, also across periodic sides; "
+           "move them apart, or give one box around both");
   EXPECT_EQ(with("[]"), "") << "automatic";
 }
 
@@ -277,7 +286,7 @@ TEST_F(Check, Profile) {
   };
   const std::string at = "--set terrain: terrain.profile";
   EXPECT_EQ(with("[[0, 35 deg], [1.4 m, 35 deg], [1.6 m, 10 deg], [2 m, -5 deg]]"), "");
-  EXPECT_EQ(with("[[0, 35 deg]]"), at + " has 1 rows; give at least 2");
+  EXPECT_EQ(with("[[0, 35 deg]]"), at + " has 1 row; give at least 2");
   EXPECT_EQ(with("[[0.1, 35 deg], [2 m, 35 deg]]"), at + " begins at 100 mm; its first row must be at x = 0");
   EXPECT_EQ(with("[[0, 35 deg], [1.6 m, 35 deg], [1.4 m, 10 deg]]"), at + " has a row at 1.4 m after one at 1.6 m; x must rise");
   EXPECT_EQ(with("[[0, 35 deg], [2 m, 90 deg]]"), at + " has an angle of 90 deg at x = 2 m; give one from -89 to 89 deg");
