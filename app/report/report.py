@@ -157,7 +157,7 @@ def report_one(run, out):
     body += section("The mesh over the flow", picture(figures.mesh_view(run, out / "mesh.png"),
                                                       "Outlines of the blocks: each has as many cells, at each level half as long."))
     body += section("On the terrain", picture(terrain.picture(run, out / "terrain.png"),
-                                              "The centre line in true proportions; only depths are enlarged, along the normal."))
+                                              "The centre line in true proportions; only heights above the bed are enlarged, along the normal."))
     body += section("From the side", picture(figures.side_view(run, out / "side.png"),
                                              side_caption(run)))
     body += section("Packings", packings_table(run))

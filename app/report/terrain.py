@@ -1,4 +1,4 @@
-"""The terrain in true proportions with the flow on it at some instants, for reports: its depth many times enlarged."""
+"""The terrain in true proportions with the flow on it at some instants, for reports: its depth, and obstacles, many times enlarged."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -47,12 +47,12 @@ def picture(run, path, count=4):
         axes.plot([], [], color=colour, linewidth=1.6, label=f"t = {frame.time:.3g} s")
     axes.plot(line[:, 0] * MM, line[:, 2] * MM, color=style.INK, linewidth=1.8)
     for o in run.obstacles.values():
-        corners = [above(s, n) for s, n in ((o["x"], 0), (o["x"], o["height"] / times), (o["x"] + o["length"], o["height"] / times),
+        corners = [above(s, n) for s, n in ((o["x"], 0), (o["x"], o["height"]), (o["x"] + o["length"], o["height"]),
                                             (o["x"] + o["length"], 0))]
         axes.fill(*zip(*corners), facecolor="#C9CDD1", edgecolor=style.INK, linewidth=1.2, zorder=3)
     axes.set_aspect("equal")
     axes.set_xlabel("horizontally [mm]")
     axes.set_ylabel("height [mm]")
-    axes.set_title("depths enlarged" + (f" {times} times" if times > 1 else ": not at all"))
+    axes.set_title(f"heights above the bed {times} times" if times > 1 else "heights above the bed as they are")
     axes.legend(loc="upper right")
     return style.save(figure, path)
