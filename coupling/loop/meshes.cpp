@@ -59,7 +59,7 @@ std::vector<double> along_the_bed(const ReferenceSurface& surface, double x0, do
   std::vector<double> ends{x0};
   for (const Arc& arc : surface.arcs())
     for (const double x : {arc.begin, arc.begin + arc.length})
-      if (x > ends.back() + 1e-3 * size && x < x1 - 1e-3 * size) ends.push_back(x);
+      if (x > ends.back() + 0.1 * size && x < x1 - 0.1 * size) ends.push_back(x);  // no slivers
   ends.push_back(x1);
   std::vector<double> lines{0};
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
