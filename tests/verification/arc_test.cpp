@@ -135,7 +135,12 @@ TYPED_TEST(Arc, ThinLayerOverABrink) {
       const double at_end = std::pow(last.hu / last.h, 2) + slope_of(length - 1e-9, w) * s.grid.dx / 2;
       study.add(n, std::abs(std::sqrt(at_end / w) - 1));
     }
-    study.expect_below(0.002);
+    // The last cell is what is read: there central_upwind's outflow is of first order.
+    if (std::is_same_v<TypeParam, CentralUpwind>) {
+      study.expect_order(0.9);
+    } else {
+      study.expect_below(0.002);
+    }
   }
 }
 
