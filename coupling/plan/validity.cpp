@@ -96,6 +96,7 @@ std::vector<ShallowVerdict> shallow_verdicts(const Scene& scene) {
   for (const ObstacleSpec& o : scene.obstacles) out.push_back(shallow_verdict(scene, o));
   const std::vector<FlowEstimate> line = flow_estimate(scene);
   const double reached = line.back().x;
+  const ReferenceSurface surface = reference_surface(scene);
   const std::vector<TerrainArc> arcs = scene.terrain.arcs();
   for (const TerrainArc& arc : arcs) {
     if (reached < arc.begin) break;
@@ -107,8 +108,7 @@ std::vector<ShallowVerdict> shallow_verdicts(const Scene& scene) {
       double lift = 0;
       for (const FlowEstimate& f : line)
         if (f.x >= arc.begin && f.x <= arc.begin + arc.length)
-          lift = std::max(
-              lift, -arc.curvature() * f.velocity * f.velocity / (scene.gravity * std::cos(reference_surface(scene).angle(f.x))));
+          lift = std::max(lift, -arc.curvature() * f.velocity * f.velocity / (scene.gravity * std::cos(surface.angle(f.x))));
       bend.tests.push_back(at_most("lift over weight", lift, most_lift));
     }
     add_grains(bend, scene, flow);
