@@ -86,6 +86,16 @@ FlowState Solver::at(int i, int j) const {
   return impl_->get(i, j);
 }
 
+FlowState Solver::at_side(int i, int j, SideName side) const {
+  impl_->sync();
+  require_cell(grid(), i, j);
+  FlowState sum;
+  const std::vector<FlowState> states = impl_->along(side, i, j);
+  for (const FlowState& q : states) sum.h += q.h, sum.hu += q.hu, sum.hv += q.hv;
+  const auto n = static_cast<double>(states.size());
+  return {sum.h / n, sum.hu / n, sum.hv / n};
+}
+
 void Solver::gather(std::vector<double>& h, std::vector<double>& hu, std::vector<double>& hv) const {
   impl_->sync();
   const Grid& g = grid();

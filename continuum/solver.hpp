@@ -51,6 +51,7 @@ class Solver final : public FlowModel {
   std::array<double, 2> momentum() const override;  // [m4/s] of the cells that are not covered
   double min_depth() const override;
   double max_speed() const override;
+  FlowState at_side(int i, int j, SideName) const;           // of the finer cells along that side of the cell, their mean
   std::array<double, 2> earth_pressure(int i, int j) const;  // K_x, K_y of the cell's present state
 
   double stable_dt() const override;

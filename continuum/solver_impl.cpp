@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "continuum/mesh/most_levels.hpp"
@@ -238,10 +237,17 @@ void Solver::Impl::add(int i, int j, const FlowState& more) {
   });
 }
 
-double Solver::Impl::least_depth(int i, int j) const {
-  double least = std::numeric_limits<double>::infinity();
-  for_cells_in(i, j, [&](int k, int c) { least = std::min(least, states[k].now.h[c]); });
-  return least;
+std::vector<FlowState> Solver::Impl::along(SideName side, int i, int j) const {
+  const Mesh::Patch p = mesh.over(i, j);
+  const Block& b = mesh.blocks()[p.block];
+  const Fields& q = states[p.block].now;
+  const int at = is_low(side) ? 0 : p.n - 1;
+  std::vector<FlowState> result(p.n);
+  for (int m = 0; m < p.n; ++m) {
+    const int c = is_across_x(side) ? b.at(p.i + at, p.j + m) : b.at(p.i + m, p.j + at);
+    result[m] = {q.h[c], q.hu[c], q.hv[c]};
+  }
+  return result;
 }
 
 void Solver::Impl::set_active(int i, int j) {

@@ -109,7 +109,7 @@ struct Solver::Impl {
   FlowState get(int i, int j) const;
   void add(int i, int j, const FlowState&);  // to all finer ones in it
   void put_in(int block, int cell, const FlowState&);
-  double least_depth(int i, int j) const;  // of the finer ones in it
+  std::vector<FlowState> along(SideName, int i, int j) const;  // of the finer ones on that side of it, from the low end
   // Of a cell of this level, or the mean of the finer ones in it; none where the cells are coarser.
   std::optional<FlowState> state_at(int level, int i, int j) const;
   // Shares of the passive state along x and y; 0 where the closure is hydraulic.

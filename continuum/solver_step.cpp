@@ -35,7 +35,7 @@ void Solver::Impl::step(double dt) {
   for (const BlockState& s : states) wet_before.push_back(s.wet);
   for (int halvings = 0;; ++halvings) {
     std::fill(touched.begin(), touched.end(), 0);
-    zones.limit(dt, std::ldexp(0.5, -halvings), [&](int i, int j) { return least_depth(i, j); });
+    zones.limit(dt, std::ldexp(0.5, -halvings), [&](SideName side, int i, int j) { return along(opposite(side), i, j); });
     if (advance(0, time, end, dt, 0)) break;
     if (halvings == most_halvings) share_tallies(), fail_negative(dt);
     go_back();

@@ -31,7 +31,7 @@ void Solver::Impl::lay_rims() {
         for (int part = 0; part < parts; ++part) {
           const int i = gi * parts + (along_x ? 0 : part) - b.i0, j = gj * parts + (along_x ? part : 0) - b.j0;
           const bool met = i >= 0 && j >= 0 && i < b.nx + (along_x ? 1 : 0) && j < b.ny + (along_x ? 0 : 1);
-          if (met && zone.has_rim(side)) faces[n].rim.push_back({b.at(i, j), along_x, id, side, k});
+          if (met && zone.has_rim(side)) faces[n].rim.push_back({b.at(i, j), along_x, id, side, k, part, parts});
         }
       };
       for (int k = 0; k < box.j1 - box.j0; ++k) {

@@ -35,12 +35,17 @@ class CoveredZone {
   void set_passed(SideName, int k, const FaceFlux&);
   void reset_passed();
 
+  // The flow along the face between the zone's side and the cell outside: one state, or those of the finer cells there, from the
+  // low end.
+  using StatesAlong = std::function<std::vector<FlowState>(SideName, int i, int j)>;
   // Scales each imposed flux, mass and momentum together, so that in dt it takes no more than this share of what the cell
-  // outside holds, together with what also_drawn [m2/s] says that another zone draws through its opposite face.
-  void limit(double dt, double share, const std::function<double(int i, int j)>& depth,
-             const std::function<double(SideName, int i, int j)>& also_drawn);
+  // outside holds at the depth along the face, together with what also_drawn [m2/s] says that another zone draws through its
+  // opposite face. Finer cells give by their depths.
+  void limit(double dt, double share, const StatesAlong&, const std::function<double(SideName, int i, int j)>& also_drawn);
   // The flux that really passes in this step.
   const FaceFlux& actual(SideName, int k) const;
+  // Through one of the equal parts of the face, counted from the low end; the mean of all parts is actual().
+  FaceFlux actual(SideName, int k, int part, int parts) const;
   // Adds dt times the actual flux to passed().
   void count(double dt);
 
@@ -48,6 +53,7 @@ class CoveredZone {
   struct Rim {
     bool inside_domain = false;
     std::vector<FaceFlux> imposed, actual, passed;
+    std::vector<std::vector<double>> weights;  // [k][cell along the face] of the flux through it, in the mean 1
   };
   const Rim& rim(SideName side) const { return rims_[static_cast<int>(side)]; }
   Rim& rim(SideName side) { return rims_[static_cast<int>(side)]; }

@@ -85,9 +85,9 @@ double CoveredZones::drawn(SideName side, int i, int j) const {
 }
 
 // As no two zones touch round a corner, a cell has rims on opposite sides at most.
-void CoveredZones::limit(double dt, double share, const std::function<double(int i, int j)>& depth) {
+void CoveredZones::limit(double dt, double share, const CoveredZone::StatesAlong& outside) {
   const auto also = [&](SideName side, int i, int j) { return ids() > 1 ? drawn(opposite(side), i, j) : 0.0; };
-  for (CoveredZone& z : zones_) z.limit(dt, share, depth, also);
+  for (CoveredZone& z : zones_) z.limit(dt, share, outside, also);
 }
 
 void CoveredZones::count(double dt) {

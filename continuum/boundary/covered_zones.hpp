@@ -36,7 +36,7 @@ class CoveredZones {
 
   // Scales each imposed flux, mass and momentum together, so that in dt all faces of a cell together take no more than this share
   // of what it holds; to be called once before both stages of a step.
-  void limit(double dt, double share, const std::function<double(int i, int j)>& depth);
+  void limit(double dt, double share, const CoveredZone::StatesAlong&);
   void count(double dt);  // adds dt times the actual fluxes to what has passed
 
  private:

@@ -85,7 +85,7 @@ void rim_fluxes(const std::vector<RimFace>& rim, const CoveredZones& zones, cons
   FaceFluxes& f = *axis.fluxes;
   for (const RimFace& r : rim) {
     if (r.along_x != axis.along_x) continue;
-    const FaceFlux& q = zones.zone(r.zone).actual(r.side, r.k);
+    const FaceFlux q = zones.zone(r.zone).actual(r.side, r.k, r.part, r.parts);
     f.mass[r.face] = q.mass;
     f.normal[r.face] = f.normal_below[r.face] = f.normal_above[r.face] = r.along_x ? q.mom_x : q.mom_y;
     f.tangent[r.face] = r.along_x ? q.mom_y : q.mom_x;

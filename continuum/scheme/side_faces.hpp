@@ -23,7 +23,7 @@ struct RimFace {
   bool along_x;  // the axis across the face
   int zone;      // its id
   SideName side;
-  int k;
+  int k, part, parts;  // CoveredZone::actual
 };
 
 // Replaces the fluxes through the rims by what the zones impose.

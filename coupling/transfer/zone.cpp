@@ -93,7 +93,7 @@ void Zone::impose(Solver& solver) {
     for (int k = 0; k < face.cells; ++k) {
       const auto [i, j] = rim_.outside_cell(face, k);
       const auto [ci, cj] = rim_.inside_cell(face, k);
-      const FlowState q = solver.at(i, j);
+      const FlowState q = outside(solver, face, k);
       const Segment& segment = segments_[f][face.segment_of_cell(k)];
       double inward = 0, normal_momentum = 0, tangential = 0;
       if (segment.inflow) {

@@ -104,6 +104,7 @@ class Zone {
     double rate = 0;                          // [m/s] at which the raft draws the flow in
   };
   void look_outside(const Solver&);
+  FlowState outside(const Solver&, const RimFace&, int k) const;  // next to the face's cell k
   // [m] Thinner than this, a flow carries no grains worth sending: a hundredth of a diameter.
   double least_depth() const { return 0.01 * settings_.rim.diameter; }
   bool carried(const RimFace&, const Segment&, double normal, double along) const;  // by a raft

@@ -7,6 +7,11 @@
 
 namespace couloir {
 
+FlowState Zone::outside(const Solver& solver, const RimFace& face, int k) const {
+  const auto [i, j] = rim_.outside_cell(face, k);
+  return solver.at_side(i, j, opposite(face.side));
+}
+
 void Zone::look_outside(const Solver& solver) {
   const double still = 1e-3 * std::sqrt(settings_.gravity * settings_.rim.diameter);
   for (int f = 0; f < int(rim_.faces().size()); ++f) {
@@ -16,8 +21,7 @@ void Zone::look_outside(const Solver& solver) {
       double h = 0, hn = 0, ha = 0;
       const auto [first, last] = face.cells_of_segment(s);
       for (int k = first; k < last; ++k) {
-        const auto [i, j] = rim_.outside_cell(face, k);
-        const FlowState q = solver.at(i, j);
+        const FlowState q = outside(solver, face, k);
         h += q.h;
         hn += face.sign() * (face.axis() == 0 ? q.hu : q.hv);
         ha += face.axis() == 0 ? q.hv : q.hu;
@@ -62,8 +66,8 @@ double Zone::weight(int f, int k) const {
 // What turns the flow on an arc weighs on its bed, too, and presses sidewards. The depth-averaged flow leaves that out of its
 // pressure; grains have it, and would spread from under a push without it.
 double Zone::push_on_grains(const Solver& solver, int f, int k, double raft) const {
-  const auto [i, j] = rim_.outside_cell(rim_.faces()[f], k);
-  const FlowState q = solver.at(i, j);
+  const int i = rim_.outside_cell(rim_.faces()[f], k).first;
+  const FlowState q = outside(solver, rim_.faces()[f], k);
   const double u = q.h > 0 ? q.hu / q.h : 0;
   return push(solver, f, k, raft, weight(f, k) + surface_->curvature(grid_.x(i)) * u * u);
 }
@@ -71,7 +75,7 @@ double Zone::push_on_grains(const Solver& solver, int f, int k, double raft) con
 double Zone::push(const Solver& solver, int f, int k, double raft, double weight) const {
   const RimFace& face = rim_.faces()[f];
   const auto [i, j] = rim_.outside_cell(face, k);
-  const FlowState q = solver.at(i, j);
+  const FlowState q = outside(solver, face, k);
   if (q.h <= 0) return 0;
   const double pressure = solver.earth_pressure(i, j)[face.axis()] * weight;
   const double w = std::max(0.0, face.sign() * (face.axis() == 0 ? q.hu : q.hv) / q.h - raft);
@@ -125,15 +129,14 @@ std::vector<Zone::Look> Zone::look(const Solver& solver, const RimFace& face, in
   const int f = int(&face - rim_.faces().data());
   std::vector<Look> out(face.cells);
   for (int k = 0; k < face.cells; ++k) {
-    const auto [i, j] = rim_.outside_cell(face, k);
     auto [ci, cj] = rim_.inside_cell(face, k);
     (face.axis() == 0 ? ci : cj) += int(face.sign()) * cells;
     const auto normal = [&](const FlowState& q) { return q.h > 0 ? face.sign() * (face.axis() == 0 ? q.hu : q.hv) / q.h : 0; };
-    const FlowState outside = solver.at(i, j);
+    const FlowState beyond = outside(solver, face, k);
     const CellBox& box = settings_.box;
     const FlowState inside = solver.at(std::clamp(ci, box.i0, box.i1 - 1), std::clamp(cj, box.j0, box.j1 - 1));
-    const double u = segments_[f][face.segment_of_cell(k)].inflow ? normal(outside) : 0;
-    out[k] = {u, normal(inside), outside.h, outside.h > 0 ? u / std::sqrt(settings_.gravity * outside.h) : 0};
+    const double u = segments_[f][face.segment_of_cell(k)].inflow ? normal(beyond) : 0;
+    out[k] = {u, normal(inside), beyond.h, beyond.h > 0 ? u / std::sqrt(settings_.gravity * beyond.h) : 0};
     if (inside.h < 0.5 * settings_.rim.diameter) out[k].inside = u;  // no grains there yet
   }
   return out;

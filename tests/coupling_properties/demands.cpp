@@ -14,7 +14,7 @@ namespace couloir {
 namespace {
 
 constexpr double round_off = 1e-12;
-constexpr double least_depth = 0.05;  // [d] a face that drains a thinner film may leave it too fast: single grains' worth of mass
+constexpr double least_depth = 0.01;    // [d] thinner, a flow carries no grains worth sending (Zone::least_depth)
 constexpr double most_residual = 0.05;  // what the two sides of a face do not give each other in a window
 // Of u0^2 + 2 g (highest level of material - level here + d): a grain that a face sends in has the flow's speed, which is a mean
 // over a cell, hence the d. Neighbours can pass a little on to a grain; nothing is shot away.
