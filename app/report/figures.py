@@ -161,13 +161,13 @@ def mesh_view(run, path):
     return style.save(figure, path)
 
 
-def side_box(run, frames):
-    """Middle y and (x from, to, top) [m] of the side view: about the first obstacle, or the whole flow."""
+def side_box(run, frames, name):
+    """Middle y and (x from, to, top) [m] of the side view: about this obstacle, or the whole flow."""
     box = extent(run, frames)
     top = 1.3 * deepest(run, 100)
-    if not run.obstacles:
+    if name is None:
         return 0.0, box[0], box[1], top
-    o = next(iter(run.obstacles.values()))
+    o = run.obstacles[name]
     top = max(top, 1.5 * o["height"])
     held = [z for f in reversed(frames) for z in f.zones if z[0] <= o["x"] <= z[1] and z[2] <= o["y"] <= z[3]]
     if held:
@@ -225,13 +225,32 @@ def upper_sides(grains, x0, x1):
     return (grains["n"] + grains["radius"])[(grains["s"] > x0) & (grains["s"] < x1)]
 
 
-def side_view(run, path, count=4):
-    if not run.frames or not (run.has_flow or run.has_grains):
-        return None
-    contact = min((run.figure(("obstacles", name, "first_contact")) or np.inf for name in run.obstacles), default=np.inf)
+def side_frames(run, name, count):
+    """From the first contact with this obstacle on."""
+    contact = (run.figure(("obstacles", name, "first_contact")) if name else None) or np.inf
     late = [f for f in run.frames if f.time >= contact - 0.02]
-    frames = pick(late if len(late) >= count else run.frames if contact == np.inf else run.frames[-count:], count)
-    middle, x0, x1, top = side_box(run, frames)
+    return pick(late if len(late) >= count else run.frames if contact == np.inf else run.frames[-count:], count)
+
+
+def side_views(run, folder):
+    """{name of an obstacle, or None where there is none: picture of the section through its middle}; one that another's section
+    shows has none of its own."""
+    shown, views = [], {}
+    for name in run.obstacles or [None]:
+        frames = side_frames(run, name, count=4) if run.frames else []
+        if name is not None:
+            o = run.obstacles[name]
+            if any(abs(o["y"] - y) <= o["width"] / 2 and x0 <= o["x"] <= x1 for y, x0, x1 in shown):
+                continue
+            shown.append(side_box(run, frames, name)[:3] if frames else (o["y"], o["x"], o["x"]))
+        views[name] = side_view(run, name, frames, folder / ("side.png" if not views else f"side_{len(views) + 1}.png"))
+    return views
+
+
+def side_view(run, name, frames, path):
+    if not frames or not (run.has_flow or run.has_grains):
+        return None
+    middle, x0, x1, top = side_box(run, frames, name)
     sections = [in_section(run, frame, middle) for frame in frames]
     highest = [upper_sides(grains, x0, x1) for grains in sections]
     top = max([top] + [min(h.max(), 0.5 * (x1 - x0)) for h in highest if h.size])

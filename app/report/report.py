@@ -122,19 +122,18 @@ def twice(draw, *arguments, caption):
     return picture(path, caption, path and style.narrow(draw, *arguments))
 
 
-def side_caption(run):
+def side_caption(run, name):
     parts = ["grains within two diameters of it, coloured by speed"] if run.has_grains else []
     if run.has_flow:
         parts.append("line: surface of the flow" + (", in the zone the mean over a cell" if run.has_grains else ""))
-    where = "the middle of the obstacle" if run.obstacles else "the centre line"
+    where = "the centre line" if name is None else f"the middle of {name}" if len(run.obstacles) > 1 else "the middle of the obstacle"
     return f"Section through {where}: {'; '.join(parts)}. Heights along the normal, not exaggerated."
 
 
 def report_one(run, out):
-    obstacle = next(iter(run.obstacles), None)
-    peak, impulse = (run.figure(("obstacles", obstacle, key)) for key in ("force_peak", "impulse"))
-    body = cards([(peak, "N", f"peak force on {obstacle}"), (impulse, "N s", f"impulse on {obstacle}"),
-                  (run.figure("mass.overtopped") if run.obstacles else None, "kg", "went over the obstacles"),
+    forces = [(run.figure(("obstacles", name, key)), unit, f"{what} on {name}") for name in run.obstacles
+              for key, unit, what in (("force_peak", "N", "peak force"), ("impulse", "N s", "impulse"))]
+    body = cards([*forces, (run.figure("mass.overtopped") if run.obstacles else None, "kg", "went over the obstacles"),
                   (run.figure("grains.peak_count") or None, "", "grains at most"), (run.figure("time.wall"), "s", "time waited")])
     body += player([run], [run.mode])
     body += section("Forces", twice(figures.forces, run, out / "forces.png",
@@ -158,8 +157,8 @@ def report_one(run, out):
                                                       "Outlines of the blocks: each has as many cells, at each level half as long."))
     body += section("On the terrain", picture(terrain.picture(run, out / "terrain.png"),
                                               "The centre line in true proportions; only heights above the bed are enlarged, along the normal."))
-    body += section("From the side", picture(figures.side_view(run, out / "side.png"),
-                                             side_caption(run)))
+    body += section("From the side", "".join(picture(path, side_caption(run, name))
+                                             for name, path in figures.side_views(run, out).items()))
     body += section("Packings", packings_table(run))
     body += section("Key figures", key_figures([run], ["value"]) if run.summary else "")
     body += section("Effects", effects_table(run.summary["effects"]) if run.summary.get("effects") else "")

@@ -73,21 +73,12 @@ void add_bed(EngineSetup& setup, const Scene& s, const char* name, std::vector<T
 
 // Around the region's corners, along the surface, up to `height`.
 void set_box(EngineSetup& setup, const Scene& s, const ReferenceSurface& surface, const Patch& region, double height) {
-  const double inf = 1e300;
-  Vec lo{inf, inf, inf}, hi{-inf, -inf, -inf};
-  const int pieces = 64;
-  for (int i = 0; i <= pieces; ++i)
-    for (double n : {0.0, height}) {
-      const Eigen::Vector3d p = surface.to_space({region.x0 + (region.x1 - region.x0) * i / pieces, 0, n});
-      for (int q : {0, 2}) lo[q] = std::min(lo[q], p[q]), hi[q] = std::max(hi[q], p[q]);
-    }
+  const Extent around = extent(surface, region.x0, region.x1, height);
   const double margin = box_margin * s.grains.diameter;
-  for (int q : {0, 2}) lo[q] -= margin, hi[q] += margin;
+  for (int q : {0, 2}) setup.lo[q] = around.lo[q] - margin, setup.hi[q] = around.hi[q] + margin;
   const bool periodic = s.sides[2].kind == SideSpec::Kind::periodic;
-  lo[1] = region.y0 - (periodic ? 0 : margin);
-  hi[1] = region.y1 + (periodic ? 0 : margin);
-  setup.lo = lo;
-  setup.hi = hi;
+  setup.lo[1] = region.y0 - (periodic ? 0 : margin);
+  setup.hi[1] = region.y1 + (periodic ? 0 : margin);
   setup.periodic = {false, periodic, false};
 }
 

@@ -144,6 +144,17 @@ ObstacleMesh obstacle_mesh(const ReferenceSurface& surface, const ObstacleSpec& 
   return cuboid_mesh(surface, o, size, gauges);
 }
 
+Extent extent(const ReferenceSurface& surface, double x0, double x1, double height) {
+  Extent e{surface.to_space({x0, 0, 0}), surface.to_space({x0, 0, 0})};
+  const int stations = 64;
+  for (int i = 0; i <= stations; ++i)
+    for (const double n : {0.0, height}) {
+      const Eigen::Vector3d p = surface.to_space({x0 + (x1 - x0) * i / stations, 0, n});
+      e.lo = e.lo.cwiseMin(p), e.hi = e.hi.cwiseMax(p);
+    }
+  return e;
+}
+
 std::vector<Triangle> side_mesh(const ReferenceSurface& surface, double x0, double x1, double y, double height, double size) {
   std::vector<Triangle> out;
   const bool bends = std::ranges::any_of(surface.arcs(), [&](const Arc& a) { return x0 < a.begin + a.length && a.begin < x1; });
@@ -157,13 +168,7 @@ std::vector<Triangle> side_mesh(const ReferenceSurface& surface, double x0, doub
     return out;
   }
   // Above an arc normals meet, and lines along them would cross: the rectangle around it all, which reaches below the bed.
-  Eigen::Vector3d lo = surface.to_space({x0, y, 0}), hi = lo;
-  const int stations = 64;
-  for (int i = 0; i <= stations; ++i)
-    for (const double n : {0.0, height}) {
-      const Eigen::Vector3d p = surface.to_space({x0 + (x1 - x0) * i / stations, y, n});
-      lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
-    }
+  const auto [lo, hi] = extent(surface, x0, x1, height);
   sheet(
       out, [&](double a, double b) { return Eigen::Vector3d(lo.x() + a * (hi.x() - lo.x()), y, lo.z() + b * (hi.z() - lo.z())); },
       pieces(hi.x() - lo.x(), size), pieces(hi.z() - lo.z(), size));

@@ -32,7 +32,14 @@ std::vector<Triangle> body_mesh(const ReferenceSurface&, const ObstacleSpec&, do
 // Whichever of them the obstacle is; only a cuboid has gauges.
 ObstacleMesh obstacle_mesh(const ReferenceSurface&, const ObstacleSpec&, double size,
                            const std::vector<StressGaugeSpec>& gauges = {});
-// A wall that stands on the bed (beside an arc: reaches below it) along y = const from x0 to x1, or along x = const from y0 to y1; `height` [m].
+// The least and the greatest coordinates [m] of all from the bed up to `height` along its normal, between x0 and x1 on y = 0.
+struct Extent {
+  Eigen::Vector3d lo, hi;
+};
+Extent extent(const ReferenceSurface&, double x0, double x1, double height);
+
+// A wall that stands on the bed (beside an arc: reaches below it) along y = const from x0 to x1, or along x = const from y0 to
+// y1; `height` [m].
 std::vector<Triangle> side_mesh(const ReferenceSurface&, double x0, double x1, double y, double height, double size);
 std::vector<Triangle> end_mesh(const ReferenceSurface&, double x, double y0, double y1, double height, double size);
 

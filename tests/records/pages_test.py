@@ -120,7 +120,7 @@ def holds_what_flies(run, out):
 
     for height, told in ((2 * o["height"], False), (30 * o["height"], True)):
         figures.in_section = with_flyer(height)
-        figures.side_view(run, out / "side.png")
+        figures.side_views(run, out)
         panels = drawn[-1].axes[:4]
         assert (panels[0].get_ylim()[1] > height * 1e3) != told, panels[0].get_ylim()
         titles = [axes.get_title(loc="left") for axes in panels]
