@@ -67,13 +67,12 @@ bool finer(const Rung& fine, const Rung& coarse) {
          cells * grains > same;
 }
 
-// To the next finer one, for each rung.
+// Of each rung to the farthest of the finer ones.
 void add_steps(const std::vector<Rung>& rungs, LadderFigures& figures) {
   for (std::size_t k = 0; k < rungs.size(); ++k) {
-    int next = -1;
+    double away = 0;
     for (std::size_t n = 0; n < rungs.size(); ++n)
-      if (finer(rungs[n], rungs[k]) && (next < 0 || finer(rungs[std::size_t(next)], rungs[n]))) next = int(n);
-    const double away = next < 0 ? 0 : std::abs(figures.rungs[std::size_t(next)].value - figures.rungs[k].value);
+      if (finer(rungs[n], rungs[k])) away = std::fmax(away, std::abs(figures.rungs[n].value - figures.rungs[k].value));
     figures.rungs[k].step = or_zero(away / std::abs(figures.reference));
   }
 }

@@ -10,9 +10,9 @@
 // measured), whose floor is 0. The mean of n packings is off by sqrt(bias^2 + scatter^2 / n). Bias is known to
 // `doubt` = sqrt(scatter^2 / n + floor^2 / n_reference) only, n the packings that were run.
 //
-// Coarse cells may hit the reference by chance, a mass point too. `step` is how far the next finer rung of the same kind, alike
-// but for the sizes of cells and grains, is away (from a mass point: the coarsest cells); choices take the larger of bias and
-// step for the bias.
+// Coarse cells may hit the reference by chance, a mass point too. `step` is how far any finer rung of the same kind, alike but for
+// the sizes of cells and grains, is away at most (from a mass point: any cells); choices take the larger of bias and step for the
+// bias.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -26,7 +26,7 @@ namespace couloir {
 struct RungFigures {  // of one quantity; NaN: the rung has none
   double value = 0;   // in the quantity's unit, mean over packings
   double bias = 0, scatter = 0, error = 0, doubt = 0;
-  double step = 0;     // over the reference; 0: there is no finer one
+  double step = 0;     // over the reference; 0: there are no finer ones
   bool front = false;  // no other rung is both cheaper and better
 };
 
