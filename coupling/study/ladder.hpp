@@ -10,9 +10,9 @@
 // measured), whose floor is 0. The mean of n packings is off by sqrt(bias^2 + scatter^2 / n). Bias is known to
 // `doubt` = sqrt(scatter^2 / n + floor^2 / n_reference) only, n the packings that were run.
 //
-// Coarse cells may hit the reference by chance, a mass point too. `step` is how far any finer rung of the same kind, alike but for
-// the sizes of cells and grains, is away at most (from a mass point: any cells); choices take the larger of bias and step for the
-// bias.
+// Coarse cells may hit the reference by chance, a mass point too. `step` is how far any finer rung of the same kind, alike but
+// for the sizes of cells and grains, is away at most (from a mass point: any cells); choices take the larger of bias and step for
+// the bias.
 
 #include <nlohmann/json.hpp>
 #include <optional>
