@@ -30,12 +30,12 @@ TEST_P(SurfaceForces, OfSettledGrainsSumToTheWeightAlsoWhenTilted) {
     setup.gravity = {g * std::sin(a), 0, -g * std::cos(a)};
     WorkerEngine engine(worker());
     engine.start(setup);
-    AdvanceRequest request = steps(20000);
+    AdvanceRequest request = steps(10000);
     request.insert = lattice(8, 6);
     const Advanced settled = engine.advance(request);
     EXPECT_LT(settled.max_overlap, 0.05);
     EXPECT_GT(settled.max_overlap, 0.0);
-    const Advanced mean = engine.advance(steps(4000));
+    const Advanced mean = engine.advance(steps(2000));
     const double weight = mass(mean.grains) * g;
     const Vec force = sum(mean.surface_force);
     EXPECT_NEAR(force[0], weight * std::sin(a), 0.01 * weight) << "tilt " << tilt;

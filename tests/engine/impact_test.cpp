@@ -11,8 +11,6 @@ using namespace couloir::test;
 
 namespace {
 
-constexpr double r = 0.5 * d;
-
 class Impact : public testing::TestWithParam<std::tuple<std::string, ContactLaw>> {
  public:
   static std::string engine() { return std::get<0>(GetParam()); }

@@ -10,8 +10,6 @@ INSTANTIATE_TEST_SUITE_P(On, RotationRule, engines, name_of_engine);
 
 namespace {
 
-constexpr double r = 0.5 * d;
-
 // Smooth, so that contacts turn nothing: what slows a spin is the rule alone.
 EngineSetup smooth(const std::string& folder, const RotationControl& control) {
   EngineSetup s = box(folder);

@@ -17,7 +17,7 @@
 
 namespace couloir::test {
 
-constexpr double d = 0.004, density = 1120, g = 9.81;
+constexpr double d = 0.004, r = 0.5 * d, density = 1120, g = 9.81;
 constexpr GrainStiffness stiffness{d, 0.1, density, 5e6, 0.25};
 
 // A test of the port, which is a test of each engine. In a test file:

@@ -14,7 +14,7 @@ struct Gauged : Watched {
   void on_start(const RunStart& start) override { list = start.stress_gauges; }
 };
 
-Gauged run(const Scene& scene) {
+Gauged watch_gauges(const Scene& scene) {
   Gauged watched;
   run_scene(scene, options_in(fresh_folder("stress")), {&watched});
   return watched;
@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(On, StressGauges, testing::Values("liggghts", "yade"), 
 // A heap in the middle of a wide front touches nothing else: on a gauge that is all of it the three stresses are the wall's
 // force.
 TEST_P(StressGauges, OverTheWholeFrontIsTheWall) {
-  const Gauged all = run(filled_box(GetParam(), {{"terrain.width", "144 mm"},
+  const Gauged all = watch_gauges(filled_box(GetParam(), {{"terrain.width", "144 mm"},
                                                  {"obstacles.wall.size", "[12 mm, 144 mm, 60 mm]"},
                                                  {"obstacles.wall.gauges", "{all: {centre: [0, 30 mm], size: [144 mm, 60 mm]}}"},
                                                  {"duration", "0.15 s"}}));
@@ -82,11 +82,11 @@ TEST_P(StressGauges, OverTheWholeFrontIsTheWall) {
 // A heap at rest: three bands that tile the front carry the wall's force, those below the most; and the wall carries what it does
 // without gauges, within what friction at rest allows.
 TEST_P(StressGauges, BandsOfAHeapAtRestSumToTheForce) {
-  const Gauged bands = run(filled_box(
+  const Gauged bands = watch_gauges(filled_box(
       GetParam(), {{"obstacles.wall.gauges",
                     "{low: {centre: [0, 6 mm], size: [48 mm, 12 mm]}, middle: {centre: [0, 18 mm], size: [48 mm, 12 mm]}, "
                     "high: {centre: [0, 42 mm], size: [48 mm, 36 mm]}}"}}));
-  const Gauged plain = run(filled_box(GetParam(), {}));
+  const Gauged plain = watch_gauges(filled_box(GetParam(), {}));
   EXPECT_TRUE(plain.list.empty());
   EXPECT_LE(largest_residual(bands), 1e-9);
   const Late with = late(bands), without = late(plain);
@@ -109,7 +109,7 @@ TEST_P(StressGauges, ReadInACoupledRun) {
        "{round: {centre: [-14 mm, 15 mm], radius: 12 mm}, square: {centre: [16 mm, 15 mm], size: [20 mm, 24 mm]}}"},
       {"grains.engine", GetParam()},
       {"duration", "0.2 s"}};
-  const Gauged run = couloir::run(small_scene("coupled", gauges));
+  const Gauged run = watch_gauges(small_scene("coupled", gauges));
   ASSERT_EQ(run.list.size(), 2u);
   EXPECT_LT(largest_residual(run), 0.02);
   EXPECT_EQ(run.windows.front().stresses.at(0).normal, 0);
@@ -133,7 +133,7 @@ TEST(StressGaugesOf, AnObstacleThatGrainsMeet) {
   PlannedZone elsewhere;
   elsewhere.box = {0.45, 0.55, -0.07, 0.07};
   EXPECT_TRUE(stress_gauges(coupled, {elsewhere}).empty());
-  const Gauged continuum = run(small_scene("continuum", gauge));
+  const Gauged continuum = watch_gauges(small_scene("continuum", gauge));
   EXPECT_TRUE(continuum.list.empty());
   EXPECT_TRUE(continuum.windows.back().stresses.empty());
 }
