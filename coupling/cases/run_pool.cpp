@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "coupling/cases/kept_run.hpp"
 #include "coupling/cases/share_out.hpp"
 #include "coupling/checkpoint/checkpoint_error.hpp"
 #include "coupling/checkpoint/checkpoint_folder.hpp"
@@ -23,7 +24,6 @@
 #include "coupling/records/provenance.hpp"
 #include "coupling/records/record_error.hpp"
 #include "coupling/records/run_folder.hpp"
-#include "coupling/records/text_file.hpp"
 
 extern char** environ;
 
@@ -98,6 +98,17 @@ bool can_go_on(const fs::path& run, const std::string& program) {
   }
 }
 
+// Takes a damaged run away, so that it can be made again; why that failed, or nothing.
+std::string cleared(const std::string& folder, const KeptRun& kept) {
+  if (!kept.is_there) return "";
+  // On a terminal over the line of progress.
+  fmt::print(stderr, "{}couloir: {} is damaged ({}) and is made again\n", isatty(STDERR_FILENO) ? "\r\x1b[K" : "", folder,
+             kept.fault);
+  std::error_code error;
+  fs::remove_all(folder, error);
+  return error ? fmt::format("{} is damaged and cannot be removed: {}; remove it", folder, error.message()) : "";
+}
+
 // A run's folder, of its own name or its log's.
 fs::path run_of(const fs::path& left) {
   return left.extension() == ".log" ? fs::path(left).replace_extension() : left;
@@ -153,7 +164,7 @@ RunPool::Place RunPool::place_of(const std::string& scene, const Overrides& set)
 }
 
 bool RunPool::done(const std::string& scene, const Overrides& set) const {
-  return fs::exists(fs::path(place_of(scene, set).folder) / "summary.json");
+  return kept_run(place_of(scene, set).folder).done();
 }
 
 PooledRun RunPool::run(const std::string& scene, const Overrides& set) {
@@ -183,15 +194,16 @@ PooledRun RunPool::make(const Place& place, const std::string& scene, const Over
   out.folder = place.folder;
   out.hash = place.hash;
   out.command = command(scene, set);
-  const std::string summary = (fs::path(place.folder) / "summary.json").string();
-  if (fs::exists(summary)) {
-    out.summary = nlohmann::json::parse(read_text(summary));
+  KeptRun kept = kept_run(place.folder);
+  if (kept.done()) {
+    out.summary = std::move(kept.summary);
     out.reused = true;
     return out;
   }
   std::call_once(folder_made_, [&] { make_folder(); });
   const Cores::Hold held(cores_, place.cores);
   if (stop_()) throw Stopped();
+  if (out.failure = cleared(place.folder, kept); !out.failure.empty()) return out;
   const std::string part = fmt::format("{}.part-{}", place.folder, getpid()), log = part + ".log";
   fs::remove_all(part);
   std::vector<std::string> words{"resume", part};
@@ -218,12 +230,14 @@ PooledRun RunPool::make(const Place& place, const std::string& scene, const Over
   fs::remove(log);
   std::error_code taken;
   fs::rename(part, place.folder, taken);
-  if (taken && fs::exists(summary)) {
+  kept = kept_run(place.folder);
+  if (taken && kept.done())
     fs::remove_all(part);  // another call has made the same run in the meantime
-  } else if (taken) {
-    throw RecordError(fmt::format("{} cannot be renamed to {}: {}", part, place.folder, taken.message()));
-  }
-  out.summary = nlohmann::json::parse(read_text(summary));
+  else if (taken)
+    out.failure = fmt::format("{} cannot be renamed to {}: {}; move that away", part, place.folder, taken.message());
+  else if (!kept.done())
+    out.failure = fmt::format("{} is damaged: {}; is the disk full?", place.folder, kept.fault);
+  out.summary = std::move(kept.summary);
   return out;
 }
 

@@ -3,6 +3,7 @@
 //
 //   scene text + revision -> hash -> FOLDER/<name>-<hash>/summary.json, or a new run
 //
+// A kept folder that is no done run any more (kept_run.hpp), cut short or edited, is told on stderr and made again.
 // A run is made beside its final place and renamed when it is done, so that a folder of that name is always whole. What a call
 // that is no more left beside it is gone on with, by `couloir resume`, where it has a checkpoint of this program; else it is
 // removed by the next call that makes a run.

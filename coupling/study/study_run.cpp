@@ -141,6 +141,9 @@ std::vector<StudyResult> run_study(const Study& study, RunPool& pool, const Stud
         } catch (const SceneError& error) {  // a value inside a search's ends that the scene refuses, a number that is not there
           one.status = StudyResult::Status::failed;
           one.reason = error.what();
+        } catch (const nlohmann::json::exception& error) {  // a summary that is not of this program's form
+          one.status = StudyResult::Status::failed;
+          one.reason = fmt::format("{}: a run's summary.json is damaged: {}", row.place, error.what());
         }
         const std::lock_guard lock(mutex);
         estimate.end(k, one.seconds > 0);

@@ -192,6 +192,34 @@ class Runs(StudyTest):
         left = sorted(n for n in self.runs() if ".part" in n)
         self.assertEqual(left, [f"notes.part-{dead.pid}", f"{name}{os.getpid()}", f"{name}{os.getpid()}.log"])
 
+    def test_a_kept_run_that_is_damaged_is_made_again(self):
+        self.write(f"quantities: [{SPEED}]\ntables: [{{name: t, columns: [{{set: terrain.angle, values: [25 deg, 30 deg]}}]}}]\n")
+        self.study("slab")
+        table = [r[f"{SPEED} [m/s]"] for r in self.rows()]
+        first, other = (self.dir / r["run"] for r in self.rows())
+        summary = first / "summary.json"
+        before = other.stat().st_mtime_ns
+        for damage, fault in [(lambda: summary.write_text("{"), "summary.json cannot be read"),
+                              (summary.unlink, "summary.json is missing"),
+                              (lambda: summary.write_text("{}"), "summary.json does not say that it is done"),
+                              (lambda: summary.write_text('{"status": ["done"]}'), "summary.json does not say that it is done"),
+                              ((first / "records.h5").unlink, "records.h5 is missing")]:
+            damage()
+            self.assertEqual([r["done"] for r in json.loads(self.study("slab", "--dry-run", "--json").stdout)["rows"]], [False, True])
+            said = self.study("slab").stderr
+            self.assertEqual(said, f"couloir: {first.relative_to(self.dir)} is damaged ({fault}) and is made again\n")
+            self.assertEqual([r[f"{SPEED} [m/s]"] for r in self.rows()], table)
+            self.assertEqual(len(self.runs()), 2, "nothing is left beside them")
+        self.assertEqual(other.stat().st_mtime_ns, before)
+
+    def test_a_summary_of_another_form_fails_its_row_alone(self):
+        self.write(f"quantities: [{SPEED}]\ntables: [{{name: t, columns: [{{set: terrain.angle, values: [25 deg, 30 deg]}}]}}]\n")
+        self.study("slab")
+        (self.dir / self.rows()[0]["run"] / "summary.json").write_text('{"status": "done", "time": 3}')
+        self.study("slab", code=1)
+        self.assertEqual([r["status"] for r in self.rows()], ["failed", "done"])
+        self.assertIn("the quantity time.cpu is not in the run's summary.json", self.rows()[0]["reason"])
+
     def test_a_run_that_fails_is_a_row_and_the_others_go_on(self):
         (self.dir / "small.yaml").write_text((SOURCE / "tests/scenes/small_wall.yaml").read_text())
         (self.dir / "study.yaml").write_text("""scene: small.yaml
