@@ -10,6 +10,7 @@
 #include "app/scene_options.hpp"
 #include "app/verbs.hpp"
 #include "coupling/plan/limits.hpp"
+#include "coupling/records/provenance.hpp"
 #include "coupling/records/record_error.hpp"
 #include "coupling/records/records.hpp"
 #include "coupling/records/reproduction.hpp"
@@ -26,11 +27,23 @@ struct ReproduceVerb : OneRun {
   std::string run, out, with, tolerance;
 };
 
+// What a record lacks is wrong input here.
+template <class Read>
+auto told_as_input(const RunFolder& folder, const Read& read) {
+  try {
+    return read();
+  } catch (const RecordError& error) {
+    throw SceneError(fmt::format("{}: its record cannot be read: {}; take a whole copy of it, or run the scene anew",
+                                 folder.path().string(), error.what()));
+  }
+}
+
 // A run's record, whole and of this layout. Throws SceneError: a record that cannot be compared is wrong input.
 RecordsReader whole_record(const RunFolder& folder) {
   const std::string run = folder.path().string();
-  try {
+  return told_as_input(folder, [&] {
     RecordsReader record(folder.file("records.h5"));
+    for (const char* attribute : {"scene", "mode", "git_revision"}) record.text(attribute);
     const double version = record.has("format_version") ? record.number("format_version") : 0;
     if (version != Records::kFormatVersion)
       throw SceneError(
@@ -42,9 +55,28 @@ RecordsReader whole_record(const RunFolder& folder) {
                       "resume {} goes on with it",
                       run, status, run));
     return record;
-  } catch (const RecordError& error) {
-    throw SceneError(fmt::format("{}: its record cannot be read: {}", run, error.what()));
-  }
+  });
+}
+
+// The groups that a run of this scene has; older revisions wrote fewer.
+std::vector<std::string> groups_of(const RecordsReader& record, const Scene& scene) {
+  std::vector<std::string> out;
+  for (const ObstacleSpec& o : scene.obstacles) out.push_back("forces/" + o.name);
+  for (const GaugeSpec& g : scene.record.gauges) out.push_back("gauges/" + g.name);
+  for (std::size_t k = 0; k < record.frames().size(); ++k) out.push_back(fmt::format("frames/{:06d}", k));
+  if (record.text("git_revision") == provenance().revision) out.insert(out.end(), {"gauges", "measures", "stresses"});
+  return out;
+}
+
+// That all which compare() reads is there: told before hours of work, not after.
+void require_readable(const RunFolder& folder, const Scene& scene) {
+  const RecordsReader record = whole_record(folder);
+  told_as_input(folder, [&] {
+    for (const std::string& group : groups_of(record, scene))
+      if (!record.holds(group))
+        throw RecordError(fmt::format("{} is damaged: it has no group {}", folder.file("records.h5"), group));
+    first_difference(record, record);
+  });
 }
 
 Scene scene_of(const RecordsReader& record, const std::string& run) {
@@ -141,9 +173,11 @@ int reproduce(const ReproduceVerb& verb) {
   if (!verb.with.empty()) {
     const RunFolder other = RunFolder::open(verb.with);
     require_scene(other, text, verb.run);
+    for (const PackingFolders& p : packings_of(first, other, scene))
+      for (const std::string& folder : {p.first, p.second}) require_readable(RunFolder::open(folder), scene);
     return compare(first, other, verb, scene, false);
   }
-  packings_of(first, first, scene);  // so is a packing that is missing
+  for (const PackingFolders& p : packings_of(first, first, scene)) require_readable(RunFolder::open(p.first), scene);
   const Ranks ranks = verb.ranks_for(scene);
   check_memory(scene, make_plan(scene), verb.ranks);
   if (!ranks.first()) return help_run(verb, scene, ranks, "checkpoint");

@@ -45,6 +45,19 @@ std::string reading(hid_t object, const std::string& name) {
   return path_of(object) + ": " + name + " could not be read";
 }
 
+// "frames/000003/h" from the file's root on.
+std::string place_of(hid_t parent, const std::string& name) {
+  char group[512] = "";
+  H5Iget_name(parent, group, sizeof group);
+  const std::string above = std::string(group).erase(0, 1);  // without the root's bar
+  return above.empty() ? name : above + "/" + name;
+}
+
+void require(hid_t parent, const char* what, const std::string& name) {
+  if (exists(parent, name)) return;
+  throw RecordError(path_of(parent) + " is damaged: it has no " + what + " " + place_of(parent, name));
+}
+
 void put_meaning(hid_t set, const Meaning& meaning) {
   put_attribute(set, "unit", meaning.unit);
   put_attribute(set, "description", meaning.description);
@@ -109,6 +122,7 @@ Handle access_through(UndoJournal& journal, const std::string& doing) {
 template <class T>
 std::vector<T> read(hid_t parent, const std::string& name) {
   const std::string doing = reading(parent, name);
+  require(parent, "dataset", name);
   const Handle set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), doing);
   const Handle space(H5Dget_space(set), doing);
   std::vector<T> data(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
@@ -184,6 +198,11 @@ void flush(hid_t file, const std::string& path) {
 Handle create_group(hid_t parent, const std::string& name) {
   if (exists(parent, name)) return Handle(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), writing(parent));
   return Handle(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), writing(parent));
+}
+
+Handle open_group(hid_t parent, const std::string& name) {
+  require(parent, "group", name);
+  return Handle(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), reading(parent, name));
 }
 
 bool exists(hid_t parent, const std::string& name) {
@@ -268,6 +287,7 @@ std::vector<std::int64_t> integers(hid_t parent, const std::string& name) {
 
 std::vector<std::string> texts(hid_t parent, const std::string& name) {
   const std::string doing = reading(parent, name);
+  require(parent, "dataset", name);
   const Handle set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), doing);
   const Handle space(H5Dget_space(set), doing);
   const Handle type = text_type();

@@ -49,7 +49,8 @@ Handle create_file(const std::string& path);
 Handle open_file(const std::string& path);  // for reading alone
 void flush(hid_t file, const std::string& path);
 
-Handle create_group(hid_t parent, const std::string& name);
+Handle create_group(hid_t parent, const std::string& name);  // or opens it
+Handle open_group(hid_t parent, const std::string& name);    // for reading: throws RecordError where there is none
 bool exists(hid_t parent, const std::string& name);
 std::vector<std::string> children(hid_t parent);  // names in alphabetical order
 

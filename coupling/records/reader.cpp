@@ -59,9 +59,13 @@ bool RecordsReader::has(const std::string& attribute) const {
   return h5::has_attribute(file_, attribute);
 }
 
+bool RecordsReader::holds(const std::string& group) const {
+  return h5::exists(file_, group);
+}
+
 Grid RecordsReader::grid() const {
   Grid grid;
-  const h5::Handle group = h5::create_group(file_, "grid");
+  const h5::Handle group = h5::open_group(file_, "grid");
   if (!h5::exists(group, "x")) return grid;
   const std::vector<double> x = h5::numbers(group, "x"), y = h5::numbers(group, "y");
   grid.nx = int(x.size());
@@ -81,7 +85,7 @@ std::vector<double> RecordsReader::bed() const {
 }
 
 std::vector<long> RecordsReader::frames() const {
-  const h5::Handle group = h5::create_group(file_, "frames");
+  const h5::Handle group = h5::open_group(file_, "frames");
   std::vector<long> indices;
   for (const std::string& name : h5::children(group)) indices.push_back(std::stol(name));
   return indices;
@@ -89,16 +93,16 @@ std::vector<long> RecordsReader::frames() const {
 
 Frame RecordsReader::frame(long index) const {
   Frame out;
-  const h5::Handle group = h5::create_group(file_, frame_path(index));
+  const h5::Handle group = h5::open_group(file_, frame_path(index));
   out.time = h5::numbers(group, "time").at(0);
-  if (h5::exists(group, "h")) {
+  if (text("mode") != "grains" || h5::exists(group, "h")) {
     out.h = h5::numbers(group, "h");
     out.hu = h5::numbers(group, "hu");
     out.hv = h5::numbers(group, "hv");
   }
-  if (h5::exists(group, "blocks")) read_blocks(h5::create_group(group, "blocks"), out.blocks);
+  if (h5::exists(group, "blocks")) read_blocks(h5::open_group(group, "blocks"), out.blocks);
   if (!h5::exists(group, "grains")) return out;
-  const h5::Handle set = h5::create_group(group, "grains");
+  const h5::Handle set = h5::open_group(group, "grains");
   Grains& g = out.grains;
   g.id = h5::integers(set, "id");
   for (const auto& [name, column] :
@@ -113,7 +117,7 @@ std::vector<double> RecordsReader::window(const std::string& column) const {
 }
 
 std::vector<std::string> RecordsReader::obstacles() const {
-  return h5::children(h5::create_group(file_, "forces"));
+  return h5::children(h5::open_group(file_, "forces"));
 }
 
 std::vector<double> RecordsReader::force(const std::string& obstacle, const std::string& column) const {
@@ -122,7 +126,7 @@ std::vector<double> RecordsReader::force(const std::string& obstacle, const std:
 
 std::vector<std::string> RecordsReader::gauges() const {
   if (!h5::exists(file_, "gauges")) return {};  // records of version 0.1
-  return h5::children(h5::create_group(file_, "gauges"));
+  return h5::children(h5::open_group(file_, "gauges"));
 }
 
 std::vector<double> RecordsReader::gauge(const std::string& name, const std::string& column) const {
@@ -132,16 +136,16 @@ std::vector<double> RecordsReader::gauge(const std::string& name, const std::str
 std::vector<ForceMeasure> RecordsReader::measures() const {
   std::vector<ForceMeasure> out;
   if (!h5::exists(file_, "measures")) return out;
-  const h5::Handle all = h5::create_group(file_, "measures");
+  const h5::Handle all = h5::open_group(file_, "measures");
   for (const std::string& kind : h5::children(all)) {
-    for (const std::string& of : h5::children(h5::create_group(all, kind))) out.push_back({of, kind});
+    for (const std::string& of : h5::children(h5::open_group(all, kind))) out.push_back({of, kind});
   }
   return out;
 }
 
 std::vector<std::string> RecordsReader::planes() const {
   if (!h5::exists(file_, "planes")) return {};
-  return h5::children(h5::create_group(file_, "planes"));
+  return h5::children(h5::open_group(file_, "planes"));
 }
 
 std::vector<double> RecordsReader::planes(const std::string& obstacle, const std::string& column) const {
@@ -160,9 +164,9 @@ std::vector<double> RecordsReader::force_samples(const std::string& obstacle) co
 std::vector<std::string> RecordsReader::stress_gauges() const {
   std::vector<std::string> out;
   if (!h5::exists(file_, "stresses")) return out;
-  const h5::Handle all = h5::create_group(file_, "stresses");
+  const h5::Handle all = h5::open_group(file_, "stresses");
   for (const std::string& of : h5::children(all)) {
-    for (const std::string& name : h5::children(h5::create_group(all, of))) out.push_back(of + "/" + name);
+    for (const std::string& name : h5::children(h5::open_group(all, of))) out.push_back(of + "/" + name);
   }
   return out;
 }

@@ -24,7 +24,8 @@ class RecordsReader {
   std::string text(const std::string& attribute) const;  // of the root: "scene", "git_revision", "status", ...
   double number(const std::string& attribute) const;     // "bulk_density", "seed", ...
   bool has(const std::string& attribute) const;
-  Grid grid() const;  // nx = 0: no continuum
+  bool holds(const std::string& group) const;  // "measures", ...: older records have fewer
+  Grid grid() const;                           // nx = 0: no continuum
   std::vector<double> bed() const;
 
   std::vector<long> frames() const;  // indices, rising

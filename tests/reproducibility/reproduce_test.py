@@ -77,6 +77,20 @@ class Reproduce(unittest.TestCase):
         shutil.rmtree(next((self.dir / "run/replicates").iterdir()))
         self.assertIn("is no folder", self.couloir("reproduce", "run", "--with", "run", code=2).stderr)
 
+    def test_a_record_that_lacks_something_is_told_before_the_second_run(self):
+        self.run_scene("continuum", "--set", "duration=60 ms", "--set", "record.gauges={foot: {position: [390 mm, 0]}}")
+        shutil.copy(self.dir / "run/records.h5", self.dir / "whole.h5")
+        for gone, what in {"forces": "group forces/wall", "stresses": "group stresses", "gauges": "group gauges/foot", "measures": "group measures", "frames/000000": "group frames/000000",
+                           "windows/time": "dataset windows/time", "forces/wall/fx": "dataset forces/wall/fx",
+                           "frames/000001/h": "dataset frames/000001/h", "events/text": "dataset events/text"}.items():
+            with self.record() as file:
+                del file[gone]
+            said = self.couloir("reproduce", "run", code=2).stderr
+            self.assertIn(f"run/records.h5 is damaged: it has no {what}; take a whole copy of it, or run the scene anew", said)
+            self.assertFalse((self.dir / "run-again").exists())
+            shutil.copy(self.dir / "whole.h5", self.dir / "run/records.h5")
+        self.same_bits()
+
     def test_a_run_that_was_resumed(self):
         self.interrupted("run", SCENE, *FINE, "--no-report", "--out", "run", folder="run")
         said = self.couloir("reproduce", "run", code=2).stderr
