@@ -12,7 +12,9 @@
 #include "coupling/cases/packings.hpp"
 #include "coupling/cases/run_pool.hpp"
 #include "coupling/cases/share_out.hpp"
+#include "coupling/records/summary_file.hpp"
 #include "coupling/records/text_file.hpp"
+#include "coupling/scene/scene_error.hpp"
 
 namespace couloir {
 namespace {
@@ -23,7 +25,43 @@ PackingRun packing_run(long seed, const PooledRun& run) {
   return {seed, (fs::path("replicates") / fs::path(run.folder).filename()).string(), run.failure, run.summary};
 }
 
+// Empty: damaged.
+std::map<long, std::string> named_packings(const nlohmann::json& summary) {
+  std::map<long, std::string> out;
+  const nlohmann::json all = summary.value("replicates", nlohmann::json());
+  if (!all.is_object()) return {};
+  const nlohmann::json seeds = all.value("seeds", nlohmann::json()), runs = all.value("runs", nlohmann::json());
+  if (!seeds.is_array() || !runs.is_array() || seeds.size() != runs.size()) return {};
+  for (std::size_t k = 0; k < seeds.size(); ++k) {
+    if (!seeds[k].is_number_integer() || !runs[k].is_string()) return {};
+    out[seeds[k].get<long>()] = runs[k].get<std::string>();
+  }
+  return out;
+}
+
 }  // namespace
+
+std::map<long, std::string> packing_folders(const RunFolder& folder, const Scene& scene) {
+  const std::string run = folder.path().string(), path = folder.file("summary.json");
+  const SummaryFile file = read_summary(path);
+  if (!file.fault.empty())
+    throw SceneError(fmt::format("{}, which names the runs of the packings, {}; run the scene anew: couloir run {} --out ANOTHER",
+                                 path, file.fault, folder.file("scene.yaml")));
+  const std::map<long, std::string> named = named_packings(file.content);
+  std::map<long, std::string> out;
+  for (long k = 0; k < scene.grains.replicates; ++k) {
+    const long seed = scene.grains.seed + k;
+    const auto at = named.find(seed);
+    if (at == named.end())
+      throw SceneError(
+          fmt::format("{}: its replicates name no run of seed {}; couloir resume {} runs what is missing", path, seed, run));
+    out[seed] = folder.file(at->second);
+    if (!fs::exists(fs::path(out[seed]) / "records.h5"))
+      throw SceneError(fmt::format("{}: the run of seed {}, {}, is not there; couloir resume {} runs what is missing", path, seed,
+                                   out[seed], run));
+  }
+  return out;
+}
 
 int run_replicates(const RunFolder& folder, const Scene& scene, bool quiet) {
   const std::string file = folder.file("summary.json");

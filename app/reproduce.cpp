@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +13,6 @@
 #include "coupling/records/record_error.hpp"
 #include "coupling/records/records.hpp"
 #include "coupling/records/reproduction.hpp"
-#include "coupling/records/text_file.hpp"
 #include "coupling/scene/reader.hpp"
 #include "coupling/scene/scene_error.hpp"
 
@@ -109,18 +107,10 @@ struct PackingFolders {
 // The runs of both folders, packing by packing, by their seeds.
 std::vector<PackingFolders> packings_of(const RunFolder& first, const RunFolder& second, const Scene& scene) {
   if (scene.grains.replicates < 2 || scene.mode == Mode::continuum) return {{"", first.path().string(), second.path().string()}};
-  const auto folders = [](const RunFolder& of) {
-    const auto summary = nlohmann::json::parse(read_text(of.file("summary.json")));
-    if (!summary.contains("replicates") || !summary["replicates"]["failed"].empty())
-      throw SceneError(fmt::format("{0}: packings are missing; couloir resume {0} runs them", of.path().string()));
-    std::map<long, std::string> out;
-    for (std::size_t k = 0; k < summary["replicates"]["seeds"].size(); ++k)
-      out[summary["replicates"]["seeds"][k]] = of.file(summary["replicates"]["runs"][k]);
-    return out;
-  };
   std::vector<PackingFolders> out;
-  const auto others = folders(second);
-  for (const auto& [seed, folder] : folders(first)) out.push_back({fmt::format("seed {}", seed), folder, others.at(seed)});
+  const auto others = packing_folders(second, scene);
+  for (const auto& [seed, folder] : packing_folders(first, scene))
+    out.push_back({fmt::format("seed {}", seed), folder, others.at(seed)});
   return out;
 }
 

@@ -5,11 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/one_run.hpp"
+#include "app/replicates.hpp"
 #include "app/scene_options.hpp"
 #include "app/verbs.hpp"
 #include "coupling/checkpoint/checkpoint_folder.hpp"
 #include "coupling/plan/limits.hpp"
-#include "coupling/records/text_file.hpp"
+#include "coupling/records/summary_file.hpp"
 #include "coupling/scene/reader.hpp"
 #include "coupling/scene/scene_error.hpp"
 
@@ -21,15 +22,19 @@ struct ResumeVerb : OneRun {
 };
 
 bool has_ended_well(const RunFolder& folder) {
-  const std::string summary = folder.file("summary.json");
-  return std::filesystem::exists(summary) && nlohmann::json::parse(read_text(summary)).value("status", "") == "done";
+  const nlohmann::json summary = read_summary(folder.file("summary.json")).content;
+  return summary.contains("status") && summary["status"] == "done";
 }
 
 // Of a run that is done itself: whether packings are missing.
 bool wants_packings(const RunFolder& folder, const Scene& scene) {
   if (scene.grains.replicates <= 1 || scene.mode == Mode::continuum) return false;
-  const auto summary = nlohmann::json::parse(read_text(folder.file("summary.json")));
-  return !summary.contains("replicates") || !summary["replicates"].at("failed").empty();
+  try {
+    packing_folders(folder, scene);
+    return false;
+  } catch (const SceneError&) {
+    return true;
+  }
 }
 
 int resume(ResumeVerb& verb) {

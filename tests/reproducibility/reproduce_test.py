@@ -75,7 +75,33 @@ class Reproduce(unittest.TestCase):
         self.assertEqual([r["verdict"] for r in said["runs"]], ["same bits"] * 2)
         self.assertEqual([r["name"] for r in said["runs"]], ["seed 20011", "seed 20012"])
         shutil.rmtree(next((self.dir / "run/replicates").iterdir()))
-        self.assertIn("is no folder", self.couloir("reproduce", "run", "--with", "run", code=2).stderr)
+        self.assertIn("is not there", self.couloir("reproduce", "run", "--with", "run", code=2).stderr)
+
+    def edit_summary(self, edit, name="run"):
+        file = self.dir / name / "summary.json"
+        summary = json.loads(file.read_text())
+        edit(summary)
+        file.write_text(json.dumps(summary))
+
+    def test_damaged_packings_are_told_before_the_second_run(self):
+        self.run_scene("grains", "--set", "duration=10 ms", "--set", "grains.replicates=2")
+        shutil.copytree(self.dir / "run", self.dir / "whole")
+        no_run = "run/summary.json: its replicates name no run of seed 20011; couloir resume run runs what is missing"
+        for edit in (lambda s: s["replicates"].update(runs=[]), lambda s: s["replicates"].pop("seeds"), lambda s: s.update(replicates=None),
+                     lambda s: s["replicates"].update(seeds=[1, 2]), lambda s: s["replicates"].update(seeds=["a", None])):
+            self.edit_summary(edit)
+            self.assertIn(no_run, self.couloir("reproduce", "run", code=2).stderr)
+            shutil.copy(self.dir / "whole/summary.json", self.dir / "run/summary.json")
+        (self.dir / "run/summary.json").write_text("{")
+        self.assertIn("run/summary.json, which names the runs of the packings, cannot be read; run the scene anew",
+                      self.couloir("reproduce", "run", code=2).stderr)
+        shutil.copy(self.dir / "whole/summary.json", self.dir / "run/summary.json")
+        shutil.rmtree(self.dir / "run/replicates")
+        said = self.couloir("reproduce", "run", code=2).stderr
+        self.assertRegex(said, "the run of seed 20012, run/replicates/.*, is not there; couloir resume run runs what is missing")
+        self.assertFalse((self.dir / "run-again").exists())
+        self.couloir("resume", "run", "--no-report")
+        self.couloir("reproduce", "run", "--with", "whole")
 
     def test_a_record_that_lacks_something_is_told_before_the_second_run(self):
         self.run_scene("continuum", "--set", "duration=60 ms", "--set", "record.gauges={foot: {position: [390 mm, 0]}}")
