@@ -136,6 +136,7 @@ int compare(const RunFolder& first, const RunFolder& second, const ReproduceVerb
   std::string text;
   for (const PackingFolders& p : packings_of(first, second, scene)) {
     Reproduction r = reproduction(whole_record(RunFolder::open(p.first)), whole_record(RunFolder::open(p.second)), tolerance);
+    compare_summaries(r, RunFolder::open(p.first).file("summary.json"), RunFolder::open(p.second).file("summary.json"));
     r.name = p.name;
     good = good && r.verdict() != Reproduction::Verdict::differs;
     runs.push_back(reproduction_json(r));

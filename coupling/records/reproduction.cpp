@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupling/records/compare_summary.hpp"
+#include "coupling/records/summary_file.hpp"
+
 namespace couloir {
 namespace {
 
@@ -48,6 +51,7 @@ std::string verdict_text(const Reproduction& r) {
     default:
       break;
   }
+  if (r.records_verdict() != Reproduction::Verdict::differs) return "NOT reproduced: the record is, but not its summary.json";
   const bool beyond = std::ranges::any_of(r.quantities, [&](const auto& q) { return r.counts(q) && !r.holds(q); });
   return fmt::format("NOT reproduced: {}", !beyond ? "the same build on the same kind of machine must give the same bits"
                                                    : fmt::format("beyond the tolerance of {:.2g}", r.tolerance));
@@ -56,6 +60,10 @@ std::string verdict_text(const Reproduction& r) {
 }  // namespace
 
 Reproduction::Verdict Reproduction::verdict() const {
+  return summary.empty() ? records_verdict() : Verdict::differs;
+}
+
+Reproduction::Verdict Reproduction::records_verdict() const {
   if (first_difference.empty()) return Verdict::same_bits;
   const bool all = std::ranges::all_of(quantities, [&](const QuantityDifference& q) { return !counts(q) || holds(q); });
   return all && !bits_expected ? Verdict::within : Verdict::differs;
@@ -74,6 +82,17 @@ Reproduction reproduction(const RecordsReader& first, const RecordsReader& secon
   out.tolerance = tolerance;
   out.bits_expected = same_makers(out.makers);
   return out;
+}
+
+void compare_summaries(Reproduction& r, const std::string& first, const std::string& second) {
+  const SummaryFile a = read_summary(first), b = read_summary(second);
+  for (const auto& [file, path] : {std::pair{&a, &first}, {&b, &second}})
+    if (r.summary.empty() && !file->fault.empty())
+      r.summary = fmt::format("{} {}, so that its figures cannot be compared", *path, file->fault);
+  if (!r.summary.empty() || r.records_verdict() == Reproduction::Verdict::differs) return;
+  const std::string found =
+      summary_difference(a.content, b.content, r.bits_expected ? std::nullopt : std::optional(r.tolerance), r.grains);
+  if (!found.empty()) r.summary = "summary.json is not of this record: " + found;
 }
 
 const char* to_string(Reproduction::Verdict verdict) {
@@ -97,6 +116,7 @@ std::string reproduction_text(const Reproduction& r) {
     for (const QuantityDifference& q : r.quantities) out += quantity_line(r, q);
     out += fmt::format("first other bits: {}\n", r.first_difference);
   }
+  if (!r.summary.empty()) out += r.summary + "\n";
   return out + verdict_text(r) + "\n";
 }
 
@@ -116,6 +136,7 @@ Json reproduction_json(const Reproduction& r) {
           {"expected", r.bits_expected ? "same bits" : "within tolerance"},
           {"tolerance", r.tolerance},
           {"first_difference", r.first_difference},
+          {"summary", r.summary},
           {"made_by", makers},
           {"quantities", quantities}};
 }

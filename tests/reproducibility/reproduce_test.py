@@ -117,6 +117,28 @@ class Reproduce(unittest.TestCase):
             shutil.copy(self.dir / "whole.h5", self.dir / "run/records.h5")
         self.same_bits()
 
+    def test_a_summary_that_is_not_of_the_record(self):
+        self.run_scene("continuum")
+        self.couloir("reproduce", "run", "--out", "again")
+
+        def doubled(summary):
+            summary["obstacles"]["wall"]["force_peak"] *= 2
+
+        self.edit_summary(doubled)
+        done = self.couloir("reproduce", "run", code=1)
+        self.assertRegex(done.stdout, "summary.json is not of this record: obstacles.wall.force_peak [0-9.]+ for [0-9.]+\n"
+                                      "NOT reproduced: the record is, but not its summary.json\n")
+        with self.record() as file:
+            file.attrs["git_revision"] = "of another time"
+        self.couloir("reproduce", "run", "--with", "again", code=1)
+        self.couloir("reproduce", "run", "--with", "again", "--tolerance", "60 %")
+        (self.dir / "run/summary.json").write_text("{")
+        self.assertIn("run/summary.json cannot be read", self.couloir("reproduce", "run", "--with", "again", code=1).stdout)
+        (self.dir / "run/summary.json").unlink()
+        said = json.loads(self.couloir("reproduce", "run", "--with", "again", "--json", code=1).stdout)
+        self.assertIn("run/summary.json is missing", said["runs"][0]["summary"])
+        self.assertEqual((said["reproduced"], said["runs"][0]["verdict"]), (False, "differs"))
+
     def test_a_run_that_was_resumed(self):
         self.interrupted("run", SCENE, *FINE, "--no-report", "--out", "run", folder="run")
         said = self.couloir("reproduce", "run", code=2).stderr
