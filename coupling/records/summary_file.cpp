@@ -8,7 +8,7 @@ namespace couloir {
 SummaryFile read_summary(const std::string& path) {
   SummaryFile out;
   std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
+  if (!std::filesystem::is_regular_file(path, ignored)) {  // a folder of that name would throw when read
     out.fault = "is missing";
     return out;
   }
