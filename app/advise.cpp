@@ -19,6 +19,8 @@ struct AdviseVerb {
 int advise(const AdviseVerb& verb) {
   const double wanted = share_of("--error", verb.error, "10 %");
   if (wanted == 0) throw SceneError("--error 0: no model is exact; give what may be off, such as 10 %");
+  if (wanted >= 1)
+    throw SceneError(fmt::format("--error {0}: is {1:.4g} %; give a share below 100 %, such as 10 %", verb.error, 100 * wanted));
   const Advice advice =
       advise(verb.scene.path, materials_folder(), verb.scene.overrides(), wanted, verb.quantity, kept_ladders(verb.ladders));
   if (verb.json)

@@ -17,18 +17,13 @@
 
 #include "app/scene_options.hpp"
 #include "app/verbs.hpp"
+#include "coupling/records/text_file.hpp"
 #include "coupling/scene/scene_error.hpp"
 
 namespace couloir {
 namespace {
 
 using Json = nlohmann::json;
-
-std::string for_shell(const std::string& word) {
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
 
 std::string output_of(const std::filesystem::path& program, const std::vector<std::string>& words) {
   std::string command = for_shell(program.string());

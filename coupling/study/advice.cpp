@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <tuple>
 
 #include "coupling/cases/case_reader.hpp"
 #include "coupling/plan/plan.hpp"
@@ -26,11 +28,26 @@ double number(const nlohmann::json& value) {
   return value.is_null() ? nan : value.get<double>();
 }
 
+constexpr const char* anew = "; couloir study with --keep makes it anew";
+
+// Of what a slip of an editor, or half a file, makes of it.
+void require_sense(const KeptLadder& ladder) {
+  const auto require = [&](bool holds, const char* what) {
+    if (!holds) throw SceneError(fmt::format("{}: {}{}", ladder.file, what, anew));
+  };
+  require(!ladder.rungs.empty(), "has no rungs");
+  require(!ladder.quantities.empty(), "has no quantities");
+  for (const RungCost& cost : ladder.costs) require(cost.cpu > 0 && cost.packings > 0, "has a rung that cost nothing");
+  const Likeness& l = ladder.scene;
+  for (const double number : {l.froude, l.depth_over_height, l.depth_over_diameter})
+    require(std::isnan(number) || number > 0, "has a scene with a number below 0");
+}
+
 KeptLadder read_ladder(const std::string& file) {
   try {
     const auto j = nlohmann::json::parse(read_text(file));
     if (j.at("format") != "couloir ladder" || j.at("format_version") != 1)
-      throw SceneError(file + ": is no ladder of this version; couloir study with --keep makes it anew");
+      throw SceneError(file + ": is no ladder of this version" + anew);
     KeptLadder out{.file = file, .name = j.at("name"), .scene = likeness_from(j.at("scene"))};
     for (const auto& r : j.at("rungs")) {
       KeptRung& rung = out.rungs.emplace_back();
@@ -48,19 +65,59 @@ KeptLadder read_ladder(const std::string& file) {
                                   number(f.at("doubt")), number(f.at("step")), f.at("front").get<bool>()});
       if (quantity.rungs.size() != out.rungs.size()) throw SceneError(file + ": a quantity has other rungs than the ladder");
     }
+    require_sense(out);
     return out;
-  } catch (const nlohmann::json::exception& error) {
-    throw SceneError(
-        fmt::format("{}: cannot be read as a ladder: {}; couloir study with --keep makes it anew", file, error.what()));
+  } catch (const nlohmann::json::exception&) {
+    throw SceneError(file + ": cannot be read as a ladder" + anew);
   }
 }
 
-std::size_t quantity_at(const KeptLadder& ladder, const std::string& path) {
-  const auto at = std::ranges::find(ladder.quantities, path, &KeptQuantity::path);
+// The same of any obstacle, of any gauge: obstacles.*.impulse.
+std::string kind_of(const std::string& path) {
+  for (const char* list : {"obstacles.", "gauges."}) {
+    const std::size_t begin = std::string(list).size(), end = path.find('.', begin);
+    if (path.starts_with(list) && end != std::string::npos) return list + ("*" + path.substr(end));
+  }
+  return path;
+}
+
+bool has(const Scene& scene, const std::string& path) {
+  return !(path.starts_with("obstacles.") && scene.obstacles.empty()) &&
+         !(path.starts_with("gauges.") && scene.record.gauges.empty());
+}
+
+// The first that the scene has too, or that is of the kind asked for; their number where there is none.
+std::size_t quantity_at(const KeptLadder& ladder, const Scene& scene, const std::string& asked) {
+  const auto at = std::ranges::find_if(ladder.quantities, [&](const KeptQuantity& q) {
+    return asked.empty() ? has(scene, q.path) : kind_of(q.path) == kind_of(asked);
+  });
   return std::size_t(at - ladder.quantities.begin());
 }
 
-// Of a rung's keys those that mean the same in another scene: no lengths, no places.
+// A quantity of an obstacle or a gauge that the scene does not have would be answered for another one.
+void require_of_scene(const Scene& scene, const std::string& asked) {
+  const auto look = [&](const char* list, const auto& items) {
+    if (!asked.starts_with(list)) return;
+    std::vector<std::string> names;
+    for (const auto& item : items) names.push_back(item.name);
+    for (const std::string& name : names)
+      if (asked.starts_with(list + name + ".")) return;
+    const std::string rest = asked.substr(std::string(list).size());
+    throw SceneError(fmt::format("--quantity {}: the scene has no such one{}", asked,
+                                 names.empty() ? "" : suggestion(rest.substr(0, rest.find('.')), names, "it has")));
+  };
+  look("obstacles.", scene.obstacles);
+  look("gauges.", scene.record.gauges);
+}
+
+bool is_of(const KeptLadder& ladder, const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::path folder = fs::is_directory(path, none) ? fs::path(path) : fs::path(path).parent_path();
+  return fs::equivalent(folder.empty() ? "." : folder, fs::path(ladder.file).parent_path(), none);
+}
+
+// Whether a rung's key means the same in another scene: no lengths, no places.
 bool carries_over(const std::string& key, const Scene& scene) {
   const bool of_model = key.starts_with("continuum.") || key.starts_with("grains.");
   for (const char* own : {"continuum.refine", "grains.zone", "grains.seed", "grains.replicates"})
@@ -69,12 +126,20 @@ bool carries_over(const std::string& key, const Scene& scene) {
   return of_model && (unit.quantity.empty() || unit.quantity == describe(Dimension::angle));
 }
 
-void fit(Advice& advice, const Scene& scene, const std::string& path, const std::string& materials, const Overrides& given) {
+// Cells and grains go by their number in the depth, other keys as they are.
+bool can_be_set(const KeptRung& rung, const Scene& scene) {
+  return std::ranges::all_of(rung.set, [&](const auto& one) {
+    return one.first == "continuum.cell" || one.first == "grains.diameter" || carries_over(one.first, scene);
+  });
+}
+
+// Sets what the chosen rung asks for. Returns why the scene does not take it; empty: it does.
+std::string fit(Advice& advice, const Scene& scene, const std::string& path, const std::string& materials) {
   const KeptRung& rung = advice.ladder.rungs[std::size_t(advice.choice.rung)];
   const double there = advice.ladder.costs[std::size_t(advice.choice.rung)].cpu * advice.choice.packings;
   if (rung.mode == mass_point_mode) {
     advice.cost = there;
-    return;
+    return "";
   }
   advice.set.emplace_back("mode", rung.mode);
   const double depth = depth_before(scene);
@@ -83,30 +148,35 @@ void fit(Advice& advice, const Scene& scene, const std::string& path, const std:
   };
   length("continuum.cell", rung.cells_in_depth);
   length("grains.diameter", rung.grains_in_depth);
-  for (const auto& [key, value] : rung.set) {
-    if (key == "continuum.cell" || key == "grains.diameter") continue;
-    if (carries_over(key, scene))
-      advice.set.emplace_back(key, value);
-    else
-      advice.left.push_back(key);
-  }
+  for (const auto& [key, value] : rung.set)
+    if (key != "continuum.cell" && key != "grains.diameter") advice.set.emplace_back(key, value);
   try {
-    Overrides all = given;
+    Overrides all = advice.given;
     all.insert(all.end(), advice.set.begin(), advice.set.end());
     const double here = make_plan(read_scene(path, materials, all)).time;
     advice.cost = rung.planned > 0 ? there * here / rung.planned : nan;
+    return "";
   } catch (const SceneError& error) {
-    advice.cost = nan;
-    advice.refusal = error.what();
+    return error.what();
   }
 }
 
 std::string command(const Advice& a, const std::string& path) {
-  if (a.set.empty()) return "couloir plan " + path;
-  std::string out = "couloir run " + path;
-  for (const auto& [key, value] : a.set) out += fmt::format(" --set '{}={}'", key, value);
+  std::string out = (a.set.empty() ? "couloir plan " : "couloir run ") + for_shell(path);
+  for (const Overrides& keys : {a.given, a.set})
+    for (const auto& [key, value] : keys) out += " --set " + for_shell(key + "=" + value);
   if (a.choice.packings > 1) out += fmt::format(" --set grains.replicates={}", a.choice.packings);
   return out;
+}
+
+// The rung that comes nearest by the mean of many packings, and what it is off by; -1: none has the quantity.
+std::pair<int, double> nearest(const std::vector<RungFigures>& rungs) {
+  std::pair<int, double> best{-1, std::numeric_limits<double>::infinity()};
+  for (std::size_t k = 0; k < rungs.size(); ++k) {
+    const double error = std::sqrt(std::pow(trusted_bias(rungs[k]), 2) + std::pow(rungs[k].scatter, 2) / most_packings);
+    if (error < best.second) best = {int(k), error};
+  }
+  return best;
 }
 
 }  // namespace
@@ -120,22 +190,39 @@ std::vector<KeptLadder> kept_ladders(const std::string& folder) {
 Advice advise(const std::string& path, const std::string& materials, const Overrides& set, double error,
               const std::string& quantity, const std::vector<KeptLadder>& ladders) {
   const Scene scene = read_scene(path, materials, set);
+  require_of_scene(scene, quantity);
   Advice out;
+  out.given = set;
   out.scene = likeness(scene);
   out.distance = std::numeric_limits<double>::infinity();
   std::vector<std::string> known;
   for (const KeptLadder& ladder : ladders) {
     for (const KeptQuantity& q : ladder.quantities)
       if (!holds(known, q.path)) known.push_back(q.path);
-    const std::size_t at = quantity.empty() ? 0 : quantity_at(ladder, quantity);
+    const std::size_t at = quantity_at(ladder, scene, quantity);
     const double d = distance(out.scene, ladder.scene);
     if (at >= ladder.quantities.size() || d >= out.distance) continue;
     out.ladder = ladder, out.quantity = at, out.distance = d;
   }
+  if (out.ladder.file.empty() && quantity.empty())
+    throw SceneError(path +
+                     ": no ladder has a quantity of a scene without obstacles and gauges; give --quantity, or make a ladder");
   if (out.ladder.file.empty())
     throw SceneError(fmt::format("--quantity {}: no ladder is of it{}", quantity, suggestion(quantity, known, "there are")));
-  out.choice = choose(error, out.ladder.quantities[out.quantity].rungs, out.ladder.costs);
-  if (out.choice.rung >= 0) fit(out, scene, path, materials, set);
+  std::vector<RungFigures> rungs = out.ladder.quantities[out.quantity].rungs;
+  for (std::size_t k = 0; k < rungs.size(); ++k)
+    if (!is_of(out.ladder, path) && !can_be_set(out.ladder.rungs[k], scene)) rungs[k].bias = nan;
+  for (;;) {
+    out.choice = choose(error, rungs, out.ladder.costs);
+    if (out.choice.rung < 0) break;
+    out.set.clear();
+    const std::string why = fit(out, scene, path, materials);
+    if (why.empty()) return out;
+    out.refused.push_back(out.ladder.rungs[std::size_t(out.choice.rung)].name + ": " + why);
+    rungs[std::size_t(out.choice.rung)].bias = nan;
+  }
+  out.set.clear();
+  std::tie(out.nearest, out.nearest_error) = nearest(rungs);
   return out;
 }
 
@@ -149,22 +236,22 @@ std::string advice_text(const Advice& a, const std::string& path) {
                                 a.ladder.file, likeness_text(a.ladder.scene), a.distance, trust(a.distance));
   out += fmt::format("{}, against {}{}\n", q.path, q.source,
                      q.floor > 0 ? fmt::format(", whose packings scatter by {}", percent(q.floor)) : "");
+  for (const std::string& rung : a.refused) out += fmt::format("  this scene refuses {}\n", rung);
   if (a.choice.rung < 0) {
-    const auto least =
-        std::ranges::min_element(q.rungs, {}, [](const RungFigures& f) { return std::isnan(f.error) ? 1e300 : f.error; });
-    return out + fmt::format("for {}: no rung, not even by the mean of {} packings; the best, {}, is off by {}\n",
-                             percent(a.choice.wanted), most_packings, a.ladder.rungs[std::size_t(least - q.rungs.begin())].name,
-                             percent(least->error));
+    out += fmt::format("for {}: no rung, not even by the mean of {} packings", percent(a.choice.wanted), most_packings);
+    if (a.nearest >= 0)
+      out += fmt::format("; the best, {}, is off by {}", a.ladder.rungs[std::size_t(a.nearest)].name, percent(a.nearest_error));
+    return out + "\n";
   }
   const RungFigures& f = q.rungs[std::size_t(a.choice.rung)];
   out += fmt::format("for {}: {}{}\n", percent(a.choice.wanted), a.ladder.rungs[std::size_t(a.choice.rung)].name,
                      a.choice.packings > 1 ? fmt::format(", the mean of {} packings", a.choice.packings) : "");
-  out += fmt::format("  error there: {} (bias {} +- {}, packings scatter by {}); cost there {:.3g} s of processor time\n",
-                     percent(a.choice.error), percent(f.bias), percent(f.doubt), percent(f.scatter), a.choice.cpu);
-  if (!a.refusal.empty()) return out + fmt::format("  this scene refuses these settings: {}\n", a.refusal);
+  out += fmt::format("  error there: {} (bias {} +- {}{}, packings scatter by {}); cost there {:.3g} s of processor time\n",
+                     percent(a.choice.error), percent(f.bias), percent(f.doubt),
+                     f.step > std::abs(f.bias) ? fmt::format(", finer ones differ by {}", percent(f.step)) : "",
+                     percent(f.scatter), a.choice.cpu);
   out += fmt::format("  here: {:.3g} s{}\n  {}\n", a.cost, a.set.empty() ? "; the plan shows it" : ", by the ratio of the plans",
                      command(a, path));
-  if (!a.left.empty()) out += fmt::format("  the rung also sets, for its own scene: {}\n", fmt::join(a.left, ", "));
   return out;
 }
 
@@ -181,6 +268,7 @@ nlohmann::ordered_json advice_json(const Advice& a, const std::string& path) {
            {"floor", or_null(q.floor)},
            {"wanted", a.choice.wanted},
            {"rung", nullptr}};
+  out["refused"] = a.refused;
   if (a.choice.rung < 0) return out;
   const RungFigures& f = q.rungs[std::size_t(a.choice.rung)];
   Json set = Json::object();
@@ -188,13 +276,11 @@ nlohmann::ordered_json advice_json(const Advice& a, const std::string& path) {
   out["rung"] = a.ladder.rungs[std::size_t(a.choice.rung)].name;
   out["packings"] = a.choice.packings;
   out["error"] = a.choice.error;
-  out["bias"] = or_null(f.bias), out["doubt"] = or_null(f.doubt), out["scatter"] = or_null(f.scatter);
+  out["bias"] = or_null(f.bias), out["to_finer"] = f.step, out["doubt"] = or_null(f.doubt), out["scatter"] = or_null(f.scatter);
   out["cpu_there"] = a.choice.cpu;
   out["cpu_here"] = or_null(a.cost);
   out["set"] = set;
-  out["left_out"] = a.left;
-  out["refusal"] = a.refusal;
-  out["command"] = a.refusal.empty() ? command(a, path) : "";
+  out["command"] = command(a, path);
   return out;
 }
 

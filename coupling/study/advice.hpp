@@ -40,11 +40,12 @@ struct Advice {
   std::size_t quantity = 0;
   Likeness scene;
   double distance = 0;
-  LadderChoice choice;            // rung -1: none is good enough
-  Overrides set;                  // of this scene: as many cells and grains in the depth as the rung had
-  std::vector<std::string> left;  // keys of the rung that are of its own scene
-  double cost = 0;                // [s] here: the rung's, by the ratio of the plans; NaN: the scene refuses these settings
-  std::string refusal;            // why
+  LadderChoice choice;   // rung -1: none is good enough; of rungs whose keys mean something here, and whom the scene takes
+  Overrides given, set;  // what the caller set, and for the rung: as many cells and grains in the depth as it had, its other keys
+  double cost = 0;       // [s] here: the rung's, by the ratio of the plans
+  std::vector<std::string> refused;  // cheaper rungs that this scene does not take, each with the reason
+  int nearest = -1;                  // where none is good enough: the best of the others, -1: there is none
+  double nearest_error = 0;
 };
 
 // `path` is read with `set`, as read_scene. `quantity` empty: the ladder's first. Throws SceneError.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "coupling/cases/scatter.hpp"
 #include "coupling/records/provenance.hpp"
@@ -51,19 +50,19 @@ void mark_front(std::vector<RungFigures>& rungs, const std::vector<RungCost>& co
   }
 }
 
-// Whether `fine` is `coarse` but for smaller cells or grains. All cells are finer than a mass point.
+// Whether `fine` has smaller cells or grains in the same mode, and sets nothing else that `coarse` does not. All cells are finer
+// than a mass point.
 bool finer(const Rung& fine, const Rung& coarse) {
   if (coarse.mode == mass_point_mode) return fine.mode == to_string(Mode::continuum);
-  const auto rest = [](const Rung& rung) {
-    std::map<std::string, std::string> out(rung.set.begin(), rung.set.end());
-    for (const char* size : {"continuum.cell", "grains.diameter"}) out.erase(size);
-    return out;
+  const auto set_too = [&](const auto& one) {
+    return one.first == "continuum.cell" || one.first == "grains.diameter" ||
+           std::ranges::find(coarse.set, one) != coarse.set.end();
   };
   const auto count = [](double in_depth) { return std::isnan(in_depth) ? 1 : in_depth; };
   const double cells = count(fine.cells_in_depth) / count(coarse.cells_in_depth),
                grains = count(fine.grains_in_depth) / count(coarse.grains_in_depth);
   constexpr double same = 1 + 1e-9;
-  return fine.mode == coarse.mode && rest(fine) == rest(coarse) && cells >= 1 / same && grains >= 1 / same &&
+  return fine.mode == coarse.mode && std::ranges::all_of(fine.set, set_too) && cells >= 1 / same && grains >= 1 / same &&
          cells * grains > same;
 }
 
@@ -89,11 +88,15 @@ std::vector<RungCost> rung_costs(const Study& study, const std::vector<StudyResu
   return out;
 }
 
+double trusted_bias(const RungFigures& r) {
+  return std::isnan(r.bias) ? r.bias : std::max(std::abs(r.bias), r.step);
+}
+
 LadderChoice choose(double wanted, const std::vector<RungFigures>& rungs, const std::vector<RungCost>& costs) {
   LadderChoice out{.wanted = wanted};
   for (std::size_t k = 0; k < rungs.size(); ++k) {
     const RungFigures& r = rungs[k];
-    const double bias = std::isnan(r.bias) ? r.bias : std::max(std::abs(r.bias), r.step);
+    const double bias = trusted_bias(r);
     const double left = wanted * wanted - bias * bias;
     if (!(left > 0) && !(left == 0 && r.scatter == 0)) continue;
     const double needed = r.scatter == 0 ? 1 : std::ceil(r.scatter * r.scatter / left * (1 - 1e-12));

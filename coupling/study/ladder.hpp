@@ -10,9 +10,9 @@
 // measured), whose floor is 0. The mean of n packings is off by sqrt(bias^2 + scatter^2 / n). Bias is known to
 // `doubt` = sqrt(scatter^2 / n + floor^2 / n_reference) only, n the packings that were run.
 //
-// Coarse cells may hit the reference by chance, a mass point too. `step` is how far any finer rung of the same kind, alike but
-// for the sizes of cells and grains, is away at most (from a mass point: any cells); choices take the larger of bias and step for
-// the bias.
+// Coarse cells may hit the reference by chance, a mass point too, or a short zone. `step` is how far any rung of the same mode
+// with smaller cells or grains, that sets nothing else that this one does not, is away at most (from a mass point: any cells);
+// choices take the larger of bias and step for the bias.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -53,6 +53,9 @@ struct LadderFigures {
 std::vector<RungCost> rung_costs(const Study&, const std::vector<StudyResult>&);
 // As Ladder::quantities. The study must have a ladder.
 std::vector<LadderFigures> ladder_figures(const Study&, const std::vector<StudyResult>&);
+
+// What its bias may be, as far as finer rungs tell; NaN: it has none.
+double trusted_bias(const RungFigures&);
 
 // The cheapest way to an error: a rung, and the mean of how many of its packings (at most `most_packings`).
 inline constexpr int most_packings = 30;

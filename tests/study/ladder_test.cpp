@@ -104,8 +104,10 @@ TEST(Ladder, ARungThatIsRightByChanceIsNotTaken) {
   EXPECT_EQ(f.rungs[2].step, 0);
   EXPECT_EQ(choose(0.05, f.rungs, rung_costs(study, results)).rung, 2);
   EXPECT_EQ(choose(0.11, f.rungs, rung_costs(study, results)).rung, 0);
-  ladder.rungs[0].set.emplace_back("continuum.limiter", "mc");  // of another kind
-  EXPECT_EQ(ladder_figures(study, results)[0].rungs[0].step, 0);
+  ladder.rungs[0].set.emplace_back("continuum.limiter", "mc");  // what else differs does not make it true
+  EXPECT_DOUBLE_EQ(ladder_figures(study, results)[0].rungs[0].step, 0.1);
+  ladder.rungs[1].set.emplace_back("continuum.scheme", "noc");
+  EXPECT_DOUBLE_EQ(ladder_figures(study, results)[0].rungs[0].step, 0.02) << "to the third alone: the second is another model";
 }
 
 // Its force is right by chance where the flow that it leaves out has another.
