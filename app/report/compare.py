@@ -19,15 +19,14 @@ def forces(runs, labels, path):
                 continue
             f = run.forces[name]
             mean = running_mean(f["time"], run.windows["length"], f["fx"])
-            colour = style.SERIES[k % len(style.SERIES)]
-            a.plot(f["time"], f["fx"], color=colour, linewidth=0.6, alpha=0.3)
-            a.plot(f["time"], mean, color=colour, linestyle=style.DASHES[k % len(style.DASHES)], linewidth=2, label=label)
-            a.plot(*run.peak(name), "o", color=colour, markersize=6)
+            a.plot(f["time"], f["fx"], color=style.line(k)["color"], linewidth=0.6, alpha=0.3)
+            a.plot(f["time"], mean, **style.line(k), linewidth=2, label=label)
+            a.plot(*run.peak(name), "o", color=style.line(k)["color"], markersize=6)
         a.axhline(0, color=style.GREY, linewidth=0.8)
         a.set_title(f"Force on {name}, along the slope")
         a.set_ylabel("force [N]")
         a.legend(loc="best")
-        a.set_xlim(left=0)
+    axes.flat[0].set_xlim(0, max(run.time[-1] for run in runs if len(run.time)))
     axes.flat[-1].set_xlabel("time [s]")
     return style.save(figure, path)
 

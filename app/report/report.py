@@ -200,25 +200,36 @@ def ratio_table(runs, names, best):
     return figures_table(names, [(f"Ratio to {names[best]}", entries)])
 
 
+def places(run):
+    """Of a run's obstacles: {name: where it stands and how large it is}."""
+    return {name: tuple(float(o[key]) for key in ("x", "y", "length", "width", "height") if key in o) for name, o in run.obstacles.items()}
+
+
 def report_several(runs, out):
     modes = [run.mode for run in runs]
     names = [run.mode if modes.count(run.mode) == 1 else run.name for run in runs]
     if len(set(names)) < len(names):  # runs of the same name in different folders
         names = [f"{name} ({k})" for k, name in enumerate(names, 1)]
     best = min(range(len(runs)), key=lambda k: MODES.index(runs[k].mode))
-    parts = []
+    told = []
     for k, run in enumerate(runs):
         if k == best:
             continue
+        parts = []
         for obstacle in runs[best].obstacles:
             own, base = (r.figure(("obstacles", obstacle, "force_peak")) for r in (run, runs[best]))
             if own is not None and base:
-                parts.append(f"<b>{names[k]}</b>: peak on {obstacle} {100 * (own / base - 1):+.0f} %".replace("-", "\u2212"))
+                parts.append(f"peak on {obstacle} " + f"{100 * (own / base - 1):+.0f} %".replace("-", "\u2212"))
         own, base = cost(run), cost(runs[best])
         if own and base:
             parts.append(f"{number(base / own, 2)} times as fast" if own <= base else f"{number(own / base, 2)} times as slow")
+        told.append(f"<b>{html.escape(names[k])}</b>: " + (", ".join(parts) or "nothing to compare"))
     ended = [run.status == "done" for run in runs]
-    verdict = f"Against <b>{names[best]}</b>, the most accurate of these runs: " + ", ".join(parts) + "."
+    what = "the first of these runs" if len(set(modes)) == 1 else "of the mode that simulates most"
+    verdict = f"Against <b>{html.escape(names[best])}</b>, {what}: " + "; ".join(told) + "."
+    unlike = [word for word, of in (("titles", [run.title for run in runs]), ("obstacles", [places(run) for run in runs]))
+              if any(one != of[0] for one in of)]
+    verdict += f" They are not of one scene: their {' and '.join(unlike)} differ." if unlike else ""
     verdict += "" if all(ended) else " Not all runs are done: " + ", ".join(f"{n}: {r.status}" for n, r in zip(names, runs)) + "."
     covered = [run.figure("time.simulated") or 0 for run in runs]
     if max(covered) > 1.01 * min(covered):

@@ -40,17 +40,17 @@ def spectrum(run, name):
 def picture(runs, labels, path):
     """Log-log, a panel an obstacle; the frequency of each run's windows and its harmonics marked."""
     found = {}
-    for run, label in zip(runs, labels):
+    for k, (run, label) in enumerate(zip(runs, labels)):
         for name in run.samples:
             s = spectrum(run, name)
             if s is not None:
-                found.setdefault(name, []).append((run, label, s))
+                found.setdefault(name, []).append((k, run, label, s))
     if not found:
         return None
     figure, all_axes = plt.subplots(len(found), 1, figsize=(style.WIDTH, 4.4 * len(found)), squeeze=False, layout="constrained")
     for axes, (name, entries) in zip(all_axes.flat, found.items()):
         marked = {}
-        for k, (run, label, (f, s)) in enumerate(entries):
+        for k, run, label, (f, s) in entries:
             ratio = run.figure(("coupling_noise", "obstacles", name, "peak_over_neighbours"))
             axes.loglog(f, s, color=style.SERIES[k % len(style.SERIES)], linewidth=1.2,
                         label=f"{label}: peak over neighbours {ratio:.2f}")

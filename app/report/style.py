@@ -29,6 +29,11 @@ DEPTH.set_bad("#FFFFFF")
 SPEED = matplotlib.colormaps["viridis"]
 
 
+def line(k):
+    """How the k-th of several lines looks: the same in all pictures, and each another way for 36 of them."""
+    return {"color": SERIES[k % len(SERIES)], "linestyle": DASHES[(k + k // len(SERIES)) % len(DASHES)]}
+
+
 WIDTH = 9.2  # [in] of every picture
 NARROW = 5.2  # [in] of what a phone shows in its width: letters stay legible
 

@@ -47,6 +47,7 @@ CaseOutcome run_case(const CaseRun& c, RunPool& pool) {
       [&] { return failed; });
   out.critical = found.critical;
   out.failure = found.failure;
+  out.remark = found.remark;
   if (!std::isnan(out.critical)) out.run = run(with_value(c.set, *c.search, out.critical));
   return out;
 }

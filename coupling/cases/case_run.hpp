@@ -22,6 +22,7 @@ struct CaseOutcome {
   PooledRun run;                // of a search: at the critical value, where there is one
   double critical = 0;          // of a search; NaN: none
   std::string failure;          // one sentence; empty: done
+  std::string remark;           // SearchResult::remark
   std::vector<PooledRun> runs;  // all of them, each once
 };
 

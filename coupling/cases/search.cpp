@@ -59,6 +59,9 @@ SearchResult search_critical(const Search& search, const std::function<double(do
     const double low = quantity(search.from), high = failed().empty() ? quantity(search.last()) : low;
     if (failed().empty()) out.failure = why_none_is_good(search, low, high);
   }
+  if (out.critical == search.from)
+    out.remark = fmt::format("{} is good already, the lowest that the search tries: the critical value may be less",
+                             value_text(search, search.from));
   if (const std::string reason = failed(); !reason.empty()) {
     out.failure = reason;
     out.critical = std::numeric_limits<double>::quiet_NaN();

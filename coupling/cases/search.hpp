@@ -36,6 +36,7 @@ double smallest_good(const Search&, const std::function<bool(double value)>& goo
 struct SearchResult {
   double critical = 0;  // NaN: none
   std::string failure;  // why there is none
+  std::string remark;   // that the lowest value is good already, so that the critical one may lie below it
 };
 
 // Halves with the quantity in SI (NaN: null) at each value, until `failed()` gives a reason. Where no value is good it looks at

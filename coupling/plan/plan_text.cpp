@@ -102,6 +102,7 @@ std::string plan_text(const Plan& plan) {
   out += fmt::format("cost       about {} (continuum {}, engine {}), {:.0f} MB; within a factor of {}\n", seconds(plan.time),
                      seconds(plan.time_continuum), seconds(plan.time_engine), plan.memory * 1e-6,
                      plan.followed_levels > 0 ? "ten: the mesh follows the flow" : "three");
+  if (plan.time < 3) out += "           and up to a second to start the run and to write it\n";
   if (plan.replicates > 1)
     out += fmt::format("           for each of {} packings: {} of one core in all\n", plan.replicates,
                        seconds(plan.replicates * plan.time));

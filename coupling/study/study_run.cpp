@@ -54,7 +54,7 @@ StudyResult result_of(const StudyRow& row, RunPool& pool) {
     out.particle_steps += summary_value(run.summary, "grains.particle_steps", row.place);
   }
   out.run = outcome.run.folder, out.hash = outcome.run.hash, out.command = outcome.run.command;
-  out.reason = outcome.failure;
+  out.reason = outcome.failure.empty() ? outcome.remark : outcome.failure;
   out.status = outcome.failure.empty() ? StudyResult::Status::done : StudyResult::Status::failed;
   if (out.status == StudyResult::Status::failed) {
     out.run.clear();  // there is none of that name

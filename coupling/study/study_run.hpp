@@ -13,7 +13,7 @@ namespace couloir {
 
 struct StudyResult {
   enum class Status { waiting, done, failed } status = Status::waiting;  // waiting: stopped before it was done
-  std::string reason;                                                    // of a failure, one sentence
+  std::string reason;                                                    // of a failure, or what else to know; one sentence
   std::vector<double> values, mean, scatter;                             // as StudyRow::quantities, in their units; NaN: none
   int replicates = 0;                                                    // done rows of its group, of which mean and scatter are
   int runs = 0;                                                          // made for it, or found done

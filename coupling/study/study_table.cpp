@@ -157,7 +157,7 @@ std::vector<StudyTableColumn> study_table(const Study& study, const std::vector<
   t.numbers("particle steps", "", "cost", "grains times steps of its runs",
             [&](std::size_t k) { return results[k].particle_steps; });
   t.texts("status", "record", "done, failed, or not run", [&](std::size_t k) { return to_string(results[k].status); });
-  t.texts("reason", "record", "why it failed", [&](std::size_t k) { return results[k].reason; });
+  t.texts("reason", "record", "why it failed, or what else to know", [&](std::size_t k) { return results[k].reason; });
   t.texts("run", "record", "folder of the run; of a search: at its critical value",
           [&](std::size_t k) { return results[k].run; });
   t.texts("hash", "record", "of the complete scene and the program's revision", [&](std::size_t k) { return results[k].hash; });

@@ -55,6 +55,7 @@ std::string row_line(const StudyRow& row, const StudyResult& result) {
   if (result.status == StudyResult::Status::failed) return out + result.reason;
   for (std::size_t k = 0; k < row.quantities.size(); ++k) out += (k > 0 ? ", " : "") + quantity_text(row, result, k);
   if (result.runs > 1) out += fmt::format("; {} runs", result.runs);
+  if (!result.reason.empty()) out += " (" + result.reason + ")";
   return out + (result.seconds > 0 ? "" : "; was there");
 }
 

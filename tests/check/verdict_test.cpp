@@ -105,6 +105,20 @@ TEST(Search, FindsTheSmallestGoodValueWithFewTrials) {
   EXPECT_TRUE(std::isnan(smallest_good(search, good_from(7))));
 }
 
+// The critical value may lie below what was tried.
+TEST(Search, SaysThatItsLowestValueIsGoodAlready) {
+  Search search;
+  search.key = "obstacles.wall.height", search.unit = "mm", search.from = 60, search.to = 80, search.step = 5;
+  const auto found = [&](double critical) {
+    return search_critical(
+        search, [&](double at) { return at >= critical ? 0.0 : 1.0; }, [] { return std::string(); });
+  };
+  EXPECT_EQ(found(65).critical, 65);
+  EXPECT_EQ(found(65).remark, "");
+  EXPECT_EQ(found(55).critical, 60);
+  EXPECT_EQ(found(55).remark, "60 mm is good already, the lowest that the search tries: the critical value may be less");
+}
+
 // What was seen, in the units of the file: a quantity that rises is another mistake than a bracket that is too low.
 TEST(Search, SaysWhatItSawWhereNoValueIsGood) {
   Search search;
