@@ -56,7 +56,7 @@ int check(const CheckVerb& verb) {
 
   CheckSettings settings;
   settings.jobs = jobs_or_cores(verb.jobs);
-  RunPool pool(own_program(), verb.runs, materials_folder(), settings.jobs);
+  RunPool pool(own_program(), verb.runs_folder(), materials_folder(), settings.jobs);
   note_stop_signals();
   settings.stop = told_to_stop;
   pool.stop_when(told_to_stop);

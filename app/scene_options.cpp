@@ -1,9 +1,12 @@
 #include "app/scene_options.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
+#include <system_error>
 #include <thread>
 
 #include "coupling/scene/reader.hpp"
@@ -63,6 +66,15 @@ void CaseOptions::declare(CLI::App& verb, const std::string& quick_help, const s
   verb.add_option("--jobs", jobs, "runs at a time; default: as many as there are cores")->check(CLI::Range(1, 256));
   verb.add_option("--runs", runs, "folder of the runs, which are kept and used again");
   verb.add_flag("--json", json, json_help);
+}
+
+const std::string& CaseOptions::runs_folder() const {
+  std::error_code error;
+  std::filesystem::create_directories(runs, error);
+  if (!error && ::access(runs.c_str(), W_OK) != 0) error = {errno, std::generic_category()};
+  if (error)
+    throw SceneError(fmt::format("--runs {}: cannot be made or written: {}; give another folder", runs, error.message()));
+  return runs;
 }
 
 CaseChoice CaseOptions::choice() const {

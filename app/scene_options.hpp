@@ -29,6 +29,8 @@ struct CaseOptions {
   // `quick_help`, `json_help`: what the two flags do for this verb.
   void declare(CLI::App&, const std::string& quick_help, const std::string& json_help);
   CaseChoice choice() const;  // throws SceneError
+  // The folder of the runs, made where it is missing. Throws SceneError.
+  const std::string& runs_folder() const;
 };
 
 // A share, as after an option: "2 %", "1e-6". Throws SceneError, with the example.

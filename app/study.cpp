@@ -97,7 +97,7 @@ int study(const StudyVerb& verb) {
   if (verb.keep && verb.quick)
     throw SceneError(verb.path + ": --keep and --quick: the short ladder is none to go by; leave out one");
   const int jobs = jobs_or_cores(verb.jobs);
-  RunPool pool(own_program(), verb.runs, materials_folder(), jobs);
+  RunPool pool(own_program(), verb.dry_run ? verb.runs : verb.runs_folder(), materials_folder(), jobs);
   if (verb.dry_run) return dry_run(verb, study, pool, jobs);
   const fs::path folder = study_folder(verb, study);
   note_stop_signals();

@@ -61,9 +61,8 @@ def draw(ladders, path):
     columns = max(len(ladder["quantities"]) for ladder in ladders)
     figure, axes = plt.subplots(len(ladders), columns, figsize=(5.4 * columns, 4 * len(ladders)), squeeze=False, layout="constrained")
     for row, ladder in zip(axes, ladders):
-        numbered = {"rungs": [{**rung, "name": str(n)} for n, rung in enumerate(ladder["rungs"], 1)]}  # as in the tables
         for a, quantity in zip(row, ladder["quantities"]):
-            draw_quantity(a, numbered, quantity)
+            draw_quantity(a, ladder, quantity)
             a.set_title(f"{ladder['name']}: {quantity['quantity']}", loc="left")
             a.get_legend().remove()
         for a in row[len(ladder["quantities"]):]:

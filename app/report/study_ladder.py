@@ -3,6 +3,7 @@
 from html import escape
 
 import numpy as np
+from matplotlib.ticker import LogLocator
 
 import style
 from page import number, picture
@@ -34,8 +35,9 @@ def draw_quantity(axes, ladder, quantity):
         axes.step(*zip(*front), where="post", color=style.GREY, linestyle="--", linewidth=1, zorder=0, label="nothing cheaper is better")
     if quantity["floor"]:
         axes.axhspan(0, 100 * quantity["floor"], color=style.GREY, alpha=0.15, linewidth=0, label="one run of the reference")
-    for n, (rung, cpu, f) in enumerate(sorted(shown, key=lambda point: point[1])):  # neighbours' names above and below
-        axes.annotate(rung["name"], (cpu, 100 * max(f["error"], least)), textcoords="offset points", xytext=(7, -11 if n % 2 else 5),
+    number_of = {id(rung): n for n, rung in enumerate(ladder["rungs"], 1)}
+    for n, (rung, cpu, f) in enumerate(sorted(shown, key=lambda point: point[1])):  # neighbours' numbers above and below
+        axes.annotate(number_of[id(rung)], (cpu, 100 * max(f["error"], least)), textcoords="offset points", xytext=(7, -11 if n % 2 else 5),
                       fontsize=7.5, color=style.INK)
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -43,6 +45,10 @@ def draw_quantity(axes, ladder, quantity):
         axis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.yaxis.set_minor_formatter("")
     axes.margins(x=0.2, y=0.15)
+    for axis in (axes.xaxis, axes.yaxis):
+        least, most = axis.get_view_interval()
+        if most < 100 * least:
+            axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axes.set_xlabel("processor time of one run [s]")
     axes.set_ylabel("error [%]")
     axes.set_title(quantity["quantity"], loc="left")
@@ -64,11 +70,11 @@ def share(value):
 
 
 def rungs_table(ladder, quantity):
-    head = ["rung", "model", f"value [{quantity['unit'] or '1'}]", "error", "bias", "known to", "to finer", "scatter", "packings", "processor time [s]", ""]
+    head = ["", "rung", "model", f"value [{quantity['unit'] or '1'}]", "error", "bias", "known to", "to finer", "scatter", "packings", "processor time [s]", ""]
     body = ""
-    for rung, f in zip(ladder["rungs"], quantity["rungs"]):
+    for n, (rung, f) in enumerate(zip(ladder["rungs"], quantity["rungs"]), 1):
         cells = [number(f["value"]), *(share(f[k]) for k in ("error", "bias", "doubt", "step", "scatter")), number(rung["packings"]), number(rung["cpu"], 3)]
-        body += (f"<tr><td>{escape(rung['name'])}</td><td>{escape(rung['mode'])}</td>" + "".join(f'<td class="n">{c}</td>' for c in cells) +
+        body += (f"<tr><td class='n'>{n}</td><td>{escape(rung['name'])}</td><td>{escape(rung['mode'])}</td>" + "".join(f'<td class="n">{c}</td>' for c in cells) +
                  f"<td>{'on the front' if f['front'] else ''}</td></tr>")
     return table(head, body)
 
@@ -90,7 +96,7 @@ def table(head, body):
 
 
 def ladder_section(ladder, path):
-    caption = ("What one run of each rung is off by: bias against the reference and scatter of its packings; bars: to which the bias is "
+    caption = ("What one run of each rung, by its number below, is off by: bias against the reference and scatter of its packings; bars: to which the bias is "
                "known. Below the grey band, the scatter of the reference's own packings, one run tells nothing.")
     body = picture(draw(ladder, path), caption)
     for q in ladder["quantities"]:

@@ -98,6 +98,8 @@ class Reader : CaseReader {
             fmt::format("{}: modes: '{}' is none{}", item.place, item.text, suggestion(item.text, modes, "there are")));
       out.modes.push_back(item.text);
     }
+    if (const Node* node = f.find("modes"); node && out.modes.empty())
+      throw SceneError(node->place + ": modes names none; leave it out for the scene's own");
     if (const Node* node = f.find("replicates")) {
       out.replicates = {};
       out.replicates.node = node;

@@ -54,6 +54,7 @@ CaseUnit unit_of_path(const std::string& path) {
   if (bar != std::string::npos) {
     const std::string above = unit_of_path(path.substr(0, bar)).text, below = unit_of_path(path.substr(bar + 3)).text;
     if (above == below) return {};
+    if (!below.empty() && above.ends_with(" " + below)) return {above.substr(0, above.size() - below.size() - 1), "", 1};
     const std::string first = above.empty() ? "1" : above.find('/') == std::string::npos ? above : "(" + above + ")";
     return {below.empty() ? first : fmt::format("{}/{}", first, below), "", 1};
   }

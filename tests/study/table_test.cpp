@@ -61,6 +61,7 @@ TEST(StudyTable, KnowsWhatABareNumberCounts) {
   EXPECT_EQ(unit_of_bare("gravity", scaled).text, "m/s2");
   EXPECT_EQ(unit_of_path("gauges.a.max_speed / time.simulated").text, "(m/s)/s");
   EXPECT_EQ(unit_of_path("time.cpu / time.wall").text, "");
+  EXPECT_EQ(unit_of_path("obstacles.wall.impulse / time.simulated").text, "N");
 }
 
 }  // namespace
