@@ -67,8 +67,9 @@ class Run:
         if not {"windows", "frames", "events"} <= set(self.file):
             raise NoRun(f"{path}/records.h5 ends before the run began, so there is nothing to show")
         self.attributes = dict(self.file.attrs)
-        summary = self.path / "summary.json"
-        self.summary = json.loads(summary.read_text()) if summary.exists() else {}
+        if self.attributes.get("format_version") != 1:
+            raise NoRun(f"{path}/records.h5 is of another layout than this version reads; take the version that wrote it")
+        self.summary = self._summary(self.path / "summary.json")
         self.windows = {name: data[()] for name, data in self.file["windows"].items()}
         self.time = self.windows["time"]
         self.frames = [Frame(self, group) for _, group in sorted(self.file["frames"].items())]
@@ -126,6 +127,17 @@ class Run:
     def grid(self):
         """x, y [m] of the cells' centres and the bed [m], [y, x]."""
         return tuple(self.file["grid"][name][()] for name in ("x", "y", "bed"))
+
+    @staticmethod
+    def _summary(file):
+        """What stands in it; nothing where there is none yet."""
+        try:
+            summary = json.loads(file.read_text()) if file.exists() else {}
+        except ValueError as error:
+            raise NoRun(f"{file} cannot be read: {error}; move it away to see the records alone")
+        if not isinstance(summary, dict):
+            raise NoRun(f"{file} is no summary; move it away to see the records alone")
+        return summary
 
     def figure(self, path):
         """A number of summary.json by its dotted path (obstacles' names may hold dots: use a tuple), or None."""

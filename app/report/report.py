@@ -258,8 +258,9 @@ def main():
     parser.add_argument("--out", type=Path, help="folder of the report")
     arguments = parser.parse_args()
     try:
+        out = arguments.out
         runs = [Run(path) for path in arguments.runs]
-        out = arguments.out or (runs[0].path if len(runs) == 1 else runs[0].path.resolve().parent) / "report"
+        out = out or (runs[0].path if len(runs) == 1 else runs[0].path.resolve().parent) / "report"
         out.mkdir(parents=True, exist_ok=True)
         html = report_one(runs[0], out) if len(runs) == 1 else report_several(runs, out)
         (out / "index.html").write_text(html, encoding="utf-8")
@@ -270,7 +271,7 @@ def main():
         print(f"the run's files are not whole: {error}", file=sys.stderr)
         return 2
     except OSError as error:
-        print(f"the report could not be written: {error}", file=sys.stderr)
+        print(f"the report could not be written: {error.filename or out}: {error.strerror}; choose another --out", file=sys.stderr)
         return 2
     return 0
 
