@@ -67,7 +67,7 @@ class Binder {
         scene_.places.note(full, entry->place);
         value(*entry, *key, full, index);
       } else if (key->presence == Presence::required) {
-        throw SceneError(fmt::format("{}: {} is missing: {}; give {}", node.place, full, key->help, wanted(*key)));
+        throw SceneError(fmt::format("{}: {} is missing: {}; give {}{}", node.place, full, key->help, wanted(*key), twin(path)));
       }
     }
   }
@@ -132,6 +132,14 @@ class Binder {
         list(node, key, full, index);
         break;
     }
+  }
+
+  // Half a body of a name like another's is a slip of the pen.
+  std::string twin(const std::string& path) const {
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string::npos) return "";
+    const std::string like = nearest_name(path.substr(dot + 1), named_beside_);
+    return like.empty() ? "" : fmt::format("; or did you mean {}.{}?", path.substr(0, dot), like);
   }
 
   const std::string& text_of(const Node& node, const Key& key, const std::string& full) const {
@@ -248,6 +256,9 @@ class Binder {
     }
     for (const auto& [name, entry] : node.entries) {
       const std::string path = joined(full, name);
+      named_beside_.clear();
+      for (const auto& other : node.entries)
+        if (other.first != name) named_beside_.push_back(other.first);
       refuse_bad_name(name, entry, path);
       if (entry.kind != Node::Kind::mapping) fail(entry, path, fmt::format("is {}, but must be a mapping", describe(entry)));
       const int index = key.append(scene_, of, name);
@@ -274,6 +285,7 @@ class Binder {
   }
 
   Scene& scene_;
+  std::vector<std::string> named_beside_;  // the other names where the one that is read now stands
   double scale_length_ = 0;
 };
 

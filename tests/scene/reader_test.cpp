@@ -297,5 +297,11 @@ TEST_F(Reader, ShapesAndMethodsOfObstacles) {
   EXPECT_EQ(ramp.obstacles[0].ramp, 0.004);
 }
 
+// A name that is nobody's begins a body of its own, of which half is missing.
+TEST_F(Reader, HalfABodyOfANameLikeAnothersIsASlip) {
+  EXPECT_THAT(error(good_scene, {{"obstacles.wal.size", "[20 mm, 100 mm, 90 mm]"}}),
+              ::testing::EndsWith("; or did you mean obstacles.wall?"));
+}
+
 }  // namespace
 }  // namespace couloir
