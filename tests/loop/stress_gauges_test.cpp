@@ -58,10 +58,11 @@ INSTANTIATE_TEST_SUITE_P(On, StressGauges, testing::Values("liggghts", "yade"), 
 // A heap in the middle of a wide front touches nothing else: on a gauge that is all of it the three stresses are the wall's
 // force.
 TEST_P(StressGauges, OverTheWholeFrontIsTheWall) {
-  const Gauged all = watch_gauges(filled_box(GetParam(), {{"terrain.width", "144 mm"},
-                                                 {"obstacles.wall.size", "[12 mm, 144 mm, 60 mm]"},
-                                                 {"obstacles.wall.gauges", "{all: {centre: [0, 30 mm], size: [144 mm, 60 mm]}}"},
-                                                 {"duration", "0.15 s"}}));
+  const Gauged all =
+      watch_gauges(filled_box(GetParam(), {{"terrain.width", "144 mm"},
+                                           {"obstacles.wall.size", "[12 mm, 144 mm, 60 mm]"},
+                                           {"obstacles.wall.gauges", "{all: {centre: [0, 30 mm], size: [144 mm, 60 mm]}}"},
+                                           {"duration", "0.15 s"}}));
   ASSERT_EQ(all.list.size(), 1u);
   EXPECT_EQ(all.list[0].area, 0.144 * 0.06);
   double largest = 0;
