@@ -17,7 +17,7 @@
 
 #include "app/scene_options.hpp"
 #include "app/verbs.hpp"
-#include "coupling/records/text_file.hpp"
+#include "coupling/cases/for_shell.hpp"
 #include "coupling/scene/scene_error.hpp"
 
 namespace couloir {

@@ -235,22 +235,21 @@ def side_frames(run, name, count):
 def side_views(run, folder):
     """{name of an obstacle, or None where there is none: picture of the section through its middle}; one that another's section
     shows has none of its own."""
-    shown, views = [], {}
+    if not run.frames or not (run.has_flow or run.has_grains):
+        return {}
+    boxes, views = [], {}
     for name in run.obstacles or [None]:
-        frames = side_frames(run, name, count=4) if run.frames else []
-        if name is not None:
-            o = run.obstacles[name]
-            if any(abs(o["y"] - y) <= o["width"] / 2 and x0 <= o["x"] <= x1 for y, x0, x1 in shown):
-                continue
-            shown.append(side_box(run, frames, name)[:3] if frames else (o["y"], o["x"], o["x"]))
-        views[name] = side_view(run, name, frames, folder / ("side.png" if not views else f"side_{len(views) + 1}.png"))
+        o = run.obstacles.get(name)
+        if o and any(abs(o["y"] - middle) <= o["width"] / 2 and x0 <= o["x"] <= x1 for middle, x0, x1, _ in boxes):
+            continue
+        frames = side_frames(run, name, count=4)
+        boxes.append(side_box(run, frames, name))
+        views[name] = side_view(run, frames, boxes[-1], folder / ("side.png" if not views else f"side_{len(views) + 1}.png"))
     return views
 
 
-def side_view(run, name, frames, path):
-    if not frames or not (run.has_flow or run.has_grains):
-        return None
-    middle, x0, x1, top = side_box(run, frames, name)
+def side_view(run, frames, box, path):
+    middle, x0, x1, top = box
     sections = [in_section(run, frame, middle) for frame in frames]
     highest = [upper_sides(grains, x0, x1) for grains in sections]
     top = max([top] + [min(h.max(), 0.5 * (x1 - x0)) for h in highest if h.size])

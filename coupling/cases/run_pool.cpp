@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "coupling/cases/for_shell.hpp"
 #include "coupling/cases/kept_run.hpp"
 #include "coupling/cases/share_out.hpp"
 #include "coupling/checkpoint/checkpoint_error.hpp"
@@ -136,10 +137,7 @@ void RunPool::make_folder() {
 
 std::string RunPool::command(const std::string& scene, const Overrides& set) const {
   std::string out = "couloir";
-  for (const std::string& word : words_of(scene, set)) {
-    const bool plain = word.find_first_of(" []{}\"'*?$") == std::string::npos;
-    out += plain ? " " + word : " '" + word + "'";
-  }
+  for (const std::string& word : words_of(scene, set)) out += " " + for_shell(word);
   return out;
 }
 

@@ -3,13 +3,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
-#include <string_view>
 
 #include "coupling/records/record_error.hpp"
 
@@ -86,16 +83,6 @@ std::string read_text(const std::string& path) {
   text << in.rdbuf();
   if (!in) throw RecordError(path + " could not be read; is this the folder of a run?");
   return text.str();
-}
-
-std::string for_shell(const std::string& word) {
-  const auto plain = [](unsigned char c) {
-    return std::isalnum(c) || std::string_view("/._-+=:,%@").find(char(c)) != std::string_view::npos;
-  };
-  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
 }
 
 }  // namespace couloir

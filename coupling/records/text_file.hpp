@@ -44,7 +44,4 @@ void write_atomically(const std::string& path, const std::string& text);
 // The whole file. Throws RecordError.
 std::string read_text(const std::string& path);
 
-// A word as a shell takes it; in quotes where it needs them.
-std::string for_shell(const std::string& word);
-
 }  // namespace couloir

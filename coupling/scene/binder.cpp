@@ -53,7 +53,8 @@ class Binder {
   explicit Binder(Scene& scene) : scene_(scene) {}
 
   // One mapping; `pattern` is its path in the schema, `path` as the user wrote it.
-  void mapping(const Node& node, const std::string& pattern, const std::string& path, int index) {
+  // `named_in`: what holds it under a name of the user's, if something does.
+  void mapping(const Node& node, const std::string& pattern, const std::string& path, int index, const Node* named_in = nullptr) {
     const auto keys = children(pattern);
     refuse_unknown(node, keys, path);
     for (const Key* key : keys) {
@@ -67,7 +68,8 @@ class Binder {
         scene_.places.note(full, entry->place);
         value(*entry, *key, full, index);
       } else if (key->presence == Presence::required) {
-        throw SceneError(fmt::format("{}: {} is missing: {}; give {}{}", node.place, full, key->help, wanted(*key), twin(path)));
+        throw SceneError(
+            fmt::format("{}: {} is missing: {}; give {}{}", node.place, full, key->help, wanted(*key), twin(path, named_in)));
       }
     }
   }
@@ -135,10 +137,14 @@ class Binder {
   }
 
   // Half a body of a name like another's is a slip of the pen.
-  std::string twin(const std::string& path) const {
+  static std::string twin(const std::string& path, const Node* named_in) {
+    if (!named_in) return "";
     const std::size_t dot = path.rfind('.');
-    if (dot == std::string::npos) return "";
-    const std::string like = nearest_name(path.substr(dot + 1), named_beside_);
+    const std::string name = path.substr(dot + 1);
+    std::vector<std::string> others;
+    for (const auto& entry : named_in->entries)
+      if (entry.first != name) others.push_back(entry.first);
+    const std::string like = nearest_name(name, others);
     return like.empty() ? "" : fmt::format("; or did you mean {}.{}?", path.substr(0, dot), like);
   }
 
@@ -256,14 +262,11 @@ class Binder {
     }
     for (const auto& [name, entry] : node.entries) {
       const std::string path = joined(full, name);
-      named_beside_.clear();
-      for (const auto& other : node.entries)
-        if (other.first != name) named_beside_.push_back(other.first);
       refuse_bad_name(name, entry, path);
       if (entry.kind != Node::Kind::mapping) fail(entry, path, fmt::format("is {}, but must be a mapping", describe(entry)));
       const int index = key.append(scene_, of, name);
       scene_.places.note(path, entry.place);
-      mapping(entry, key.path + ".*", path, index);
+      mapping(entry, key.path + ".*", path, index, &node);
     }
   }
 
@@ -285,7 +288,6 @@ class Binder {
   }
 
   Scene& scene_;
-  std::vector<std::string> named_beside_;  // the other names where the one that is read now stands
   double scale_length_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "coupling/cases/case_reader.hpp"
+#include "coupling/cases/for_shell.hpp"
 #include "coupling/plan/plan.hpp"
 #include "coupling/records/text_file.hpp"
 #include "coupling/scene/names.hpp"
@@ -126,11 +127,8 @@ bool carries_over(const std::string& key, const Scene& scene) {
   return of_model && (unit.quantity.empty() || unit.quantity == describe(Dimension::angle));
 }
 
-// Cells and grains go by their number in the depth, other keys as they are.
 bool can_be_set(const KeptRung& rung, const Scene& scene) {
-  return std::ranges::all_of(rung.set, [&](const auto& one) {
-    return one.first == "continuum.cell" || one.first == "grains.diameter" || carries_over(one.first, scene);
-  });
+  return std::ranges::all_of(rung.set, [&](const auto& one) { return is_size(one.first) || carries_over(one.first, scene); });
 }
 
 // Sets what the chosen rung asks for. Returns why the scene does not take it; empty: it does.
@@ -149,7 +147,7 @@ std::string fit(Advice& advice, const Scene& scene, const std::string& path, con
   length("continuum.cell", rung.cells_in_depth);
   length("grains.diameter", rung.grains_in_depth);
   for (const auto& [key, value] : rung.set)
-    if (key != "continuum.cell" && key != "grains.diameter") advice.set.emplace_back(key, value);
+    if (!is_size(key)) advice.set.emplace_back(key, value);
   try {
     Overrides all = advice.given;
     all.insert(all.end(), advice.set.begin(), advice.set.end());
@@ -210,8 +208,9 @@ Advice advise(const std::string& path, const std::string& materials, const Overr
   if (out.ladder.file.empty())
     throw SceneError(fmt::format("--quantity {}: no ladder is of it{}", quantity, suggestion(quantity, known, "there are")));
   std::vector<RungFigures> rungs = out.ladder.quantities[out.quantity].rungs;
+  const bool own = is_of(out.ladder, path);
   for (std::size_t k = 0; k < rungs.size(); ++k)
-    if (!is_of(out.ladder, path) && !can_be_set(out.ladder.rungs[k], scene)) rungs[k].bias = nan;
+    if (!own && !can_be_set(out.ladder.rungs[k], scene)) rungs[k].bias = nan;
   for (;;) {
     out.choice = choose(error, rungs, out.ladder.costs);
     if (out.choice.rung < 0) break;

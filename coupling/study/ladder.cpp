@@ -55,8 +55,7 @@ void mark_front(std::vector<RungFigures>& rungs, const std::vector<RungCost>& co
 bool finer(const Rung& fine, const Rung& coarse) {
   if (coarse.mode == mass_point_mode) return fine.mode == to_string(Mode::continuum);
   const auto set_too = [&](const auto& one) {
-    return one.first == "continuum.cell" || one.first == "grains.diameter" ||
-           std::ranges::find(coarse.set, one) != coarse.set.end();
+    return is_size(one.first) || std::ranges::find(coarse.set, one) != coarse.set.end();
   };
   const auto count = [](double in_depth) { return std::isnan(in_depth) ? 1 : in_depth; };
   const double cells = count(fine.cells_in_depth) / count(coarse.cells_in_depth),
@@ -86,6 +85,10 @@ std::vector<RungCost> rung_costs(const Study& study, const std::vector<StudyResu
     cost.cpu = cost.packings > 0 ? cost.cpu / cost.packings : nan;
   }
   return out;
+}
+
+bool is_size(const std::string& key) {
+  return key == "continuum.cell" || key == "grains.diameter";
 }
 
 double trusted_bias(const RungFigures& r) {

@@ -54,6 +54,9 @@ std::vector<RungCost> rung_costs(const Study&, const std::vector<StudyResult>&);
 // As Ladder::quantities. The study must have a ladder.
 std::vector<LadderFigures> ladder_figures(const Study&, const std::vector<StudyResult>&);
 
+// Whether a rung's key is the size of cells or of grains, which goes by its number in the depth.
+bool is_size(const std::string& key);
+
 // What its bias may be, as far as finer rungs tell; NaN: it has none.
 double trusted_bias(const RungFigures&);
 
