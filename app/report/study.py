@@ -13,7 +13,6 @@ from html import escape
 from pathlib import Path
 
 import numpy as np
-from matplotlib.ticker import LogLocator
 
 import style
 from page import number, page, picture, section, write_page
@@ -98,8 +97,7 @@ def draw_cost(axes, study, layout, quantity):
         axes.set_xscale("log")
         axes.xaxis.set_major_formatter(lambda x, _: f"{x:g}")
         axes.xaxis.set_minor_formatter("")
-        if most < 100 * least:
-            axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        style.log_ticks(axes.xaxis, least, most)
     axes.margins(x=0.15, y=0.12)
     axes.set_xlabel("processor time [s]")
 

@@ -3,7 +3,6 @@
 from html import escape
 
 import numpy as np
-from matplotlib.ticker import LogLocator
 
 import style
 from page import number, picture
@@ -13,31 +12,30 @@ MARKS = {"mass point": "X", "continuum": "o", "coupled": "s", "grains": "^"}
 
 
 def points(ladder, quantity):
-    """(rung, its cost, its figures) where it has all of them."""
-    whole = zip(ladder["rungs"], quantity["rungs"])
-    return [(rung, rung["cpu"], figures) for rung, figures in whole if rung["cpu"] and figures["error"] is not None]
+    """(number from 1, rung, its cost, its figures) where it has all of them."""
+    whole = enumerate(zip(ladder["rungs"], quantity["rungs"]), 1)
+    return [(n, rung, rung["cpu"], figures) for n, (rung, figures) in whole if rung["cpu"] and figures["error"] is not None]
 
 
 def draw_quantity(axes, ladder, quantity):
     shown = points(ladder, quantity)
-    exact = [f["error"] for _, _, f in shown if f["error"] > 0]
+    exact = [f["error"] for *_, f in shown if f["error"] > 0]
     least = 0.5 * min(exact, default=0.01)  # where what is not off at all is drawn
     for n, (mode, mark) in enumerate(MARKS.items()):
-        own = [(cpu, max(f["error"], least), f["doubt"] or 0) for rung, cpu, f in shown if rung["mode"] == mode]
+        own = [(cpu, max(f["error"], least), f["doubt"] or 0) for _, rung, cpu, f in shown if rung["mode"] == mode]
         if not own:
             continue
         cpu, error, doubt = (100 * np.array(part) if k else np.array(part) for k, part in enumerate(zip(*own)))
         low = np.minimum(doubt, error - 100 * least / 2)
         axes.errorbar(cpu, error, [np.maximum(low, 0), doubt], fmt=mark, color=style.SERIES[n], markersize=7, capsize=3, linewidth=1,
                       label=mode)
-    front = sorted((cpu, 100 * max(f["error"], least)) for _, cpu, f in shown if f["front"])
+    front = sorted((cpu, 100 * max(f["error"], least)) for _, _, cpu, f in shown if f["front"])
     if len(front) > 1:
         axes.step(*zip(*front), where="post", color=style.GREY, linestyle="--", linewidth=1, zorder=0, label="nothing cheaper is better")
     if quantity["floor"]:
         axes.axhspan(0, 100 * quantity["floor"], color=style.GREY, alpha=0.15, linewidth=0, label="one run of the reference")
-    number_of = {id(rung): n for n, rung in enumerate(ladder["rungs"], 1)}
-    for n, (rung, cpu, f) in enumerate(sorted(shown, key=lambda point: point[1])):  # neighbours' numbers above and below
-        axes.annotate(number_of[id(rung)], (cpu, 100 * max(f["error"], least)), textcoords="offset points", xytext=(7, -11 if n % 2 else 5),
+    for n, (label, _, cpu, f) in enumerate(sorted(shown, key=lambda point: point[2])):  # neighbours' above and below
+        axes.annotate(label, (cpu, 100 * max(f["error"], least)), textcoords="offset points", xytext=(7, -11 if n % 2 else 5),
                       fontsize=7.5, color=style.INK)
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -46,9 +44,7 @@ def draw_quantity(axes, ladder, quantity):
     axes.yaxis.set_minor_formatter("")
     axes.margins(x=0.2, y=0.15)
     for axis in (axes.xaxis, axes.yaxis):
-        least, most = axis.get_view_interval()
-        if most < 100 * least:
-            axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        style.log_ticks(axis, *axis.get_view_interval())
     axes.set_xlabel("processor time of one run [s]")
     axes.set_ylabel("error [%]")
     axes.set_title(quantity["quantity"], loc="left")

@@ -34,6 +34,12 @@ def line(k):
     return {"color": SERIES[k % len(SERIES)], "linestyle": DASHES[(k + k // len(SERIES)) % len(DASHES)]}
 
 
+def log_ticks(axis, least, most):
+    """On a logarithmic axis of less than two decades 2 and 5 have labels, too."""
+    if most < 100 * least:
+        axis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
+
+
 WIDTH = 9.2  # [in] of every picture
 NARROW = 5.2  # [in] of what a phone shows in its width: letters stay legible
 

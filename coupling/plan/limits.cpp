@@ -99,10 +99,9 @@ void check_zone(const Scene& scene, const Plan& plan) {
     const double half = scene.terrain.width / 2;
     fail(scene, boxes.size() > 1 ? fmt::format("grains.zones[{}]", n) : "grains.zone",
          "{} a side along the slope, x from {:.6g} to {:.6g} m, beside a brink or more than one arc of the terrain, where its "
-         "driven "
-         "layer cannot follow the bed; make it as wide as the domain, y: [{:.6g} m, {:.6g} m]{}",
+         "driven layer cannot follow the bed; make it as wide as the domain, y: [{:.6g} m, {:.6g} m]{}",
          boxes.empty() ? "is auto and would have" : "has", zone.box.x0, zone.box.x1, -half, half,
-         boxes.empty() ? fmt::format(", with that x") : ", or end it between the arcs");
+         boxes.empty() ? ", with that x" : ", or end it between the arcs");
   }
   for (const PlannedZone& zone : plan.zones)
     for (const ObstacleSpec& o : scene.obstacles) {
